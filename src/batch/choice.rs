@@ -11,7 +11,7 @@ use super::screen::Kit;
 use super::sweep::Choose;
 use crate::assembly::names;
 use crate::assembly::scope::Scope;
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, did_you_mean};
 use crate::spec::expr::{Expr, ExprError, Value};
 use crate::units::Dim;
 use std::collections::{BTreeSet, HashMap};
@@ -184,7 +184,10 @@ fn evaluate(
         (BOLTS, _) => {
             bolts.map(|n| Value::number(n.into())).ok_or_else(|| unknown("the number of bolts"))
         }
-        (_, Some(scope)) => scope.get(name),
+        (_, Some(scope)) => scope.get(name).map_err(|e| match did_you_mean(name, [MASS, BOLTS]) {
+            hint if hint.is_empty() => e,
+            hint => format!("unknown name `{name}`{hint}"),
+        }),
         (_, None) => Err(format!("unknown name `{name}`")),
     };
     least.eval_as(Dim::NONE, &mut lookup)
@@ -197,9 +200,41 @@ fn cost(least: &Expr, index: u64, header: &Header, kit: &Kit, record: &Record) -
     evaluate(least, record.mass, record.bolts, scope.as_ref()).ok().filter(|c| c.is_finite())
 }
 
+/// Refuses groups that mix loads: a joint would be chosen for the smallest of them.
+fn one_load_each(plan: &Plan, choose: &Choose) -> Result<(), Box<Diagnostic>> {
+    let expansion = &plan.header.expansion;
+    let loads = |i: &usize| {
+        expansion.dimensions[*i].paths.iter().find(|p| p.text().starts_with("loads")).cloned()
+    };
+    let all: Vec<usize> = (0..expansion.dimensions.len()).collect();
+    let with_loads: Vec<_> = all.iter().filter_map(|i| Some((*i, loads(i)?))).collect();
+    for group in groups(plan, choose) {
+        let positions = |i: usize| {
+            let of = |c: &usize| expansion.positions(plan.cases[*c].index)[i];
+            group.cases.iter().map(of).collect::<BTreeSet<_>>()
+        };
+        if let Some((_, path)) = with_loads.iter().find(|(i, _)| positions(*i).len() > 1) {
+            let message = format!(
+                "the group `{}` of `choose` has joints with different loads: `{path}` varies in it",
+                group.name
+            );
+            let help = "a joint would be chosen for the smallest load: add the path to \
+                        `choose.per`, leave `per` out, or give all loads of a joint as load cases";
+            return Err(Box::new(Diagnostic::input("sweep/choose", message).help(help)));
+        }
+    }
+    Ok(())
+}
+
 /// Refuses a cost with a name or a dimension that does not fit a template of the sweep, or with the
 /// mass of a template that has no list of parts.
 pub fn check(plan: &Plan, kit: &Kit, choose: &Choose) -> Result<(), Box<Diagnostic>> {
+    one_load_each(plan, choose)?;
+    if choose.least.names().is_empty() {
+        let message = format!("`choose.least` is `{}`, the same for all", choose.least.text());
+        let help = "write `mass`, `bolts` or an expression of them";
+        return Err(Box::new(Diagnostic::input("sweep/choose", message).help(help)));
+    }
     let header = &plan.header;
     let mut open: BTreeSet<&str> = kit.templates.keys().map(String::as_str).collect();
     for case in &plan.cases {

@@ -69,8 +69,8 @@ pub struct Shown {
     pub sentence: String,
 }
 
-/// The table for people.
-pub fn shown(rows: &[Map<String, Value>], least: &str) -> Shown {
+/// The table for people; `meshes`: whether limit analysis follows the checks.
+pub fn shown(rows: &[Map<String, Value>], least: &str, meshes: bool) -> Shown {
     let cell = |row: &Map<String, Value>, key: &str| match &row[key] {
         Value::Null if key == "chosen" => match row["outcome"].as_str() {
             _ if row["joints"] == 0 => "`where` leaves none".into(),
@@ -82,13 +82,16 @@ pub fn shown(rows: &[Map<String, Value>], least: &str) -> Shown {
         Value::String(s) => s.clone(),
         // rounded so that nothing looks cheaper or less used than it is
         v => match v.as_f64() {
-            Some(x) if v.is_f64() => fixed(x, 2, Rounding::Up),
+            Some(x) if v.is_f64() => fixed(x, 3, Rounding::Up),
             _ => v.to_string(),
         },
     };
     let cells = rows.iter().map(|r| SHOWN.iter().map(|(key, _)| cell(r, key)).collect()).collect();
     let sum = |key: &str| rows.iter().filter_map(|r| r[key].as_u64()).sum::<u64>();
-    let mut sentence = format!("{} of {} joints were meshed.", sum("analysed"), sum("joints"));
+    let mut sentence = match meshes {
+        true => format!("{} of {} joints were analysed.", sum("analysed"), sum("joints")),
+        false => format!("{} joints by their checks.", sum("joints")),
+    };
     match sum("cheaper_undecided") {
         0 => {}
         1 => sentence.push_str(" One cheaper joint is undecided: it may hold."),

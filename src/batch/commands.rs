@@ -281,7 +281,7 @@ pub fn merge(plan: &Plan, folder: &SweepFolder, log: &Log) -> Result<Merge, Diag
     if let Some(choose) = &plan.header.choose {
         let rows = choice_table::rows(plan, &merged);
         write_whole(&path.join(CHOSEN), &csv(&rows)?)?;
-        let shown = choice_table::shown(&rows, choose.least.text());
+        let shown = choice_table::shown(&rows, choose.least.text(), plan.header.then.is_some());
         markdown.insert(0, shown.markdown());
         choice = Some(shown);
     }
@@ -312,7 +312,12 @@ pub fn merge(plan: &Plan, folder: &SweepFolder, log: &Log) -> Result<Merge, Diag
         log.line(format!("expected, and not so: {condition}"));
     }
     log.line(format!("result: {}", path.join("summary.html").display()));
-    let expects = !plan.header.expect.is_empty() || expected(plan).next().is_some();
+    // conditions on the groups replace the rule that every group has its joint
+    let of_groups = |e: &String| e.contains("chosen") || e.contains("groups");
+    let expects = match &plan.header.choose {
+        Some(_) => plan.header.expect.iter().any(of_groups),
+        None => !plan.header.expect.is_empty() || expected(plan).next().is_some(),
+    };
     let status = match broken.is_empty() {
         false => ExitStatus::NotOk,
         // what the user expects replaces the verdicts, but no case may be without one

@@ -38,6 +38,9 @@ pub struct Header {
     pub mesher: String,
     /// The sweep file, to recognise the folder of another sweep.
     pub sweep: PathBuf,
+    /// The files that the plan was made of, with the hashes of their content.
+    #[serde(default)]
+    pub sources: Vec<(PathBuf, String)>,
     /// Folder from which the paths of the spec are resolved.
     pub folder: PathBuf,
     /// Catalogue folder of the user.
@@ -109,6 +112,11 @@ impl Plan {
             return Err(Diagnostic { place: sweep.index.place("where"), ..d }.into());
         }
         let dropped = count - cases.len() as u64;
+        let here = path.parent().unwrap_or(Path::new(""));
+        let table = value.table.as_ref().map(|t| here.join(t));
+        let mut sources = vec![path.to_path_buf(), file.expansion.file.clone()];
+        sources.extend(table);
+        sources.dedup();
         let remarks = unique(&mut cases);
         // the folder of a file in the current folder is empty
         let absolute = |p: &Path| {
@@ -121,6 +129,7 @@ impl Plan {
             schema: SCHEMA,
             tool: Tool::this(),
             mesher: mesher.into(),
+            sources: sources.iter().map(|f| (absolute(f), content(f))).collect(),
             sweep: absolute(path),
             folder: absolute(&file.folder),
             catalog: file.catalog_folder.as_deref().map(absolute),
@@ -161,6 +170,11 @@ fn derived_fit(
     }
 }
 
+/// Hash of the content of a file.
+fn content(file: &Path) -> String {
+    std::fs::read(file).map(|b| blake3::hash(&b).to_hex().to_string()).unwrap_or_default()
+}
+
 /// The part of a key that all cases with a template share, for each template.
 fn commons<'a>(kit: &'a Kit, shared: &str) -> BTreeMap<&'a str, String> {
     let known =
@@ -188,6 +202,12 @@ impl Header {
             return Err(Diagnostic::input("sweep/changed", message).help(help).into());
         }
         Ok(kit)
+    }
+
+    /// The files that are there and no longer what the plan was made of.
+    pub fn changed(&self) -> Vec<&Path> {
+        let differs = |(file, hash): &&(PathBuf, String)| file.is_file() && content(file) != *hash;
+        self.sources.iter().filter(differs).map(|(file, _)| file.as_path()).collect()
     }
 
     /// Whether a case with these checks gets finite elements. What a binding check rejects cannot

@@ -181,7 +181,7 @@ mod tests {
     #[test]
     fn many_rows() {
         let row = |i: usize| -> Map<String, Value> {
-            let outcome = if i % 4 == 0 { "failed" } else { "ok" };
+            let outcome = if i.is_multiple_of(4) { "failed" } else { "ok" };
             let values = [("case", json!(format!("c{i}"))), ("outcome", json!(outcome))];
             values.into_iter().map(|(k, v)| (k.to_string(), v)).collect()
         };

@@ -102,9 +102,15 @@ impl SweepFile {
             }
             for p in choose.per.iter().flatten() {
                 if let Some(hint) = not_varied(p, &dimensions) {
-                    let message = format!("`choose.per` has `{p}`, which nothing varies{hint}");
-                    let help = "write paths of `axes` or of the table";
+                    let message =
+                        format!("`choose.per` has `{p}`, which no axis and no column varies{hint}");
+                    let help = "write paths of `axes` or of the table; without `per` each row of \
+                                the table is a group";
                     return Err(at(message, "choose.per", help));
+                }
+                if choose.per.iter().flatten().filter(|q| *q == p).count() > 1 {
+                    let message = format!("`choose.per` has `{p}` twice");
+                    return Err(at(message, "choose.per", "write each path once"));
                 }
             }
         }

@@ -181,7 +181,7 @@ fn run(
     let text =
         yaml::to_string(&absolute(job.spec.clone(), &header.folder)).map_err(|f| f.into_first())?;
     write_whole(&spec, text.as_bytes())?;
-    own(&work)?;
+    own(work)?;
     let program = std::env::current_exe().map_err(|e| {
         Diagnostic::environment("sweep/program", format!("the program does not find itself: {e}"))
     })?;

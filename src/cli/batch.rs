@@ -6,10 +6,11 @@ use crate::batch::commands::{
     Merge, RunOptions, merge, plan, run as run_sweep, slurm_array, status,
 };
 use crate::batch::counts::Counts;
+use crate::batch::plan::Plan;
 use crate::batch::shard::Shard;
 use crate::batch::slurm;
 use crate::batch::sweep_folder::SweepFolder;
-use crate::diag::{Diagnostic, ExitStatus};
+use crate::diag::{Diagnostic, Diagnostics, ExitStatus};
 use crate::driver::interrupt::Interrupt;
 use crate::driver::limits::use_threads;
 use crate::report::console::log::Log;
@@ -109,6 +110,16 @@ fn folder_of(sweep: &Path, out: Option<&PathBuf>) -> SweepFolder {
     SweepFolder::at(out.unwrap_or(&fallback))
 }
 
+/// The plan in a folder, with a word about files that changed since.
+fn planned(folder: &SweepFolder, log: &Log) -> Result<Plan, Diagnostics> {
+    let plan = folder.plan()?;
+    for file in plan.header.changed() {
+        let file = file.display();
+        log.line(format!("remark: `{file}` has changed since the plan; plan the sweep again"));
+    }
+    Ok(plan)
+}
+
 /// Prints what became of a sweep as JSON if the user asked for it; returns its exit status.
 fn ended(merge: &Merge, folder: &SweepFolder, common: &Common) -> CommandResult {
     if common.format == Format::Json {
@@ -151,7 +162,7 @@ pub fn run(args: &BatchArgs, common: &Common) -> CommandResult {
         }
         (Some(Step::Run { folder, shard, jobs: n, cache }), _) => {
             let folder = SweepFolder::at(folder);
-            let plan = folder.plan()?;
+            let plan = planned(&folder, &log)?;
             let shard = match shard {
                 Some(text) => Shard::parse(text, |name| std::env::var(name).ok())?,
                 None => Shard::WHOLE,
@@ -162,7 +173,7 @@ pub fn run(args: &BatchArgs, common: &Common) -> CommandResult {
         }
         (Some(Step::Status { folder }), _) => {
             let folder = SweepFolder::at(folder);
-            let counts = status(&folder.plan()?, &folder)?;
+            let counts = status(&planned(&folder, &log)?, &folder)?;
             match common.format {
                 Format::Text => {
                     out::text(&format!("{}: {}\n", Counts::cases(counts.all()), counts.words()))?
@@ -189,7 +200,7 @@ pub fn run(args: &BatchArgs, common: &Common) -> CommandResult {
         }
         (Some(Step::Merge { folder }), _) => {
             let folder = SweepFolder::at(folder);
-            ended(&merge(&folder.plan()?, &folder, &log)?, &folder, common)
+            ended(&merge(&planned(&folder, &log)?, &folder, &log)?, &folder, common)
         }
     }
 }

@@ -8,7 +8,7 @@ type Wrong = (&'static str, &'static str, [&'static str; 4]);
 
 const AXES: &str = "base: joint.yaml\nfirst: checks\n";
 
-const WRONG: [Wrong; 42] = [
+const WRONG: [Wrong; 44] = [
     ("", "", ["yaml/empty", "sweep.yaml", "empty", "`bracket new`"]),
     ("AXES", "", ["sweep/value", "sweep.yaml:1", "varies nothing", "give `axes`"]),
     (
@@ -205,6 +205,16 @@ const WRONG: [Wrong; 42] = [
         "AXESaxes: {plate.thickness: [10]}\nchoose: {least: bolts, per: [plate.thicknes]}",
         "",
         ["sweep/value", "sweep.yaml:4", "did you mean `plate.thickness`", "paths of `axes`"],
+    ),
+    (
+        "AXESaxes: {plate.thickness: [10]}\nchoose: {least: 5}",
+        "",
+        ["sweep/choose", "sweep.yaml:4", "the same for all", "`mass`, `bolts`"],
+    ),
+    (
+        "AXESaxes: {loads.ULS1.My: [-20 kN m, -30 kN m]}\nchoose: {least: bolts}",
+        "",
+        ["sweep/choose", "sweep.yaml:4", "joints with different loads", "as load cases"],
     ),
     (
         "AXESaxes: {plate.thickness: [10]}\nchoose: {least: bolts, among: undecided}",
