@@ -25,6 +25,16 @@ pub struct Expansion {
     pub derived: Vec<Derived>,
 }
 
+/// Whose fault makes a combination unsound.
+enum Fault {
+    /// That of a value of the step.
+    Step(Diagnostic),
+    /// That of another dimension.
+    Other,
+    /// That of the base.
+    Base(Diagnostic),
+}
+
 /// Reads a spec from its value. A value of a wrong type is reported with its path in the spec.
 pub fn typed(spec: &Value, file: &Path) -> Result<ConnectionSpec, Box<Diagnostic>> {
     ConnectionSpec::deserialize(spec).or_else(|plain| {
@@ -135,11 +145,12 @@ impl Expansion {
                     Ok(spec) => typed(&spec, &self.file).err().map(|d| *d),
                 };
                 let Some(fault) = fault else { continue };
-                let (fault, own) = self.placed(fault, i, step, place);
-                faults.push(fault);
-                if !own {
+                match self.placed(fault, i, step, place) {
+                    Fault::Step(fault) => faults.push(fault),
+                    // it is reported with the dimension that brings it
+                    Fault::Other => {}
                     // a fault of the base is in every case
-                    return Err(Diagnostics::from(faults.swap_remove(faults.len() - 1)));
+                    Fault::Base(fault) => return Err(Diagnostics::from(fault)),
                 }
                 break;
             }
@@ -152,23 +163,17 @@ impl Expansion {
         Diagnostics::refuse(faults)
     }
 
-    /// A fault of a step at the step's place, and whether it is the step's own. The fault of
-    /// another part of the spec stays in the base.
-    fn placed(
-        &self,
-        fault: Diagnostic,
-        dimension: usize,
-        step: &Step,
-        base: &PlaceIndex,
-    ) -> (Diagnostic, bool) {
+    /// Whose fault it is, at its place.
+    fn placed(&self, fault: Diagnostic, dimension: usize, step: &Step, base: &PlaceIndex) -> Fault {
         let d = &self.dimensions[dimension];
         let at = fault.place.path.clone().unwrap_or_default();
         // a key or entry on the way to a value that the base does not have comes with the value
         let new = SpecPath::parse(&at).is_ok_and(|p| p.get(&self.base).is_none());
-        let own = d.paths.iter().find(|p| {
+        let touches = |p: &SpecPath| {
             let path = canonical(p.text(), &self.base);
-            at.is_empty() || covers(&path, &at) || (new && covers(&at, &path))
-        });
+            covers(&path, &at) || (new && covers(&at, &path))
+        };
+        let own = d.paths.iter().find(|p| at.is_empty() || touches(p));
         match own {
             Some(path) => {
                 let mut place = step.place.clone();
@@ -176,16 +181,10 @@ impl Expansion {
                     place.path = Some(path.text().into());
                 }
                 let message = format!("{}: {}", d.what, fault.message);
-                (Diagnostic { place, message, ..fault }, true)
+                Fault::Step(Diagnostic { place, message, ..fault })
             }
-            None => {
-                let other = self.dimensions.iter().enumerate().any(|(k, o)| {
-                    k != dimension
-                        && o.paths.iter().any(|p| covers(&canonical(p.text(), &self.base), &at))
-                });
-                let place = if other { step.place.clone() } else { base.place(&at) };
-                (Diagnostic { place, ..fault }, other)
-            }
+            None if self.dimensions.iter().any(|o| o.paths.iter().any(touches)) => Fault::Other,
+            None => Fault::Base(Diagnostic { place: base.place(&at), ..fault }),
         }
     }
 

@@ -54,6 +54,17 @@ fn this_process(pid: u32) -> String {
     format!("{} {} {pid}", boot.trim(), names.display())
 }
 
+/// Removes a folder of work. The case of a process that was killed ends a moment after it, and may
+/// still write.
+fn remove(work: &Path) {
+    for _ in 0..20 {
+        if fs::remove_dir_all(work).is_ok() || !work.exists() {
+            return;
+        }
+        std::thread::sleep(LOOK);
+    }
+}
+
 /// Removes the work of processes of this machine that were killed.
 pub fn clear_work(folder: &SweepFolder) {
     let Ok(entries) = fs::read_dir(folder.path().join(WORK)) else { return };
@@ -63,7 +74,7 @@ pub fn clear_work(folder: &SweepFolder) {
         // without a name of the boot the owner may be a process of another machine
         let ours = pid.filter(|p| !owner.starts_with(' ') && this_process(*p) == owner);
         if ours.is_some_and(has_ended) {
-            let _ = fs::remove_dir_all(&work);
+            remove(&work);
         }
     }
 }

@@ -17,7 +17,7 @@ fn cases_run_side_by_side() {
         folders.unwrap_or_default().iter().filter(|w| w.join("owner").exists()).count()
     };
     let mut most = 0;
-    for _ in 0..200 {
+    for _ in 0..800 {
         most = most.max(owned());
         if most == 2 {
             break;
@@ -81,7 +81,7 @@ fn work_of_killed_processes_is_removed() {
         entries.map(|d| d.flatten().map(|e| e.path()).collect()).unwrap_or_default()
     };
     let wait = |number: usize| {
-        for _ in 0..200 {
+        for _ in 0..800 {
             if work().iter().filter(|w| w.join("owner").exists()).count() == number {
                 return;
             }
@@ -96,7 +96,7 @@ fn work_of_killed_processes_is_removed() {
     let left = work();
     // another process removes what is left, and makes its own
     let mut other = start("1");
-    for _ in 0..200 {
+    for _ in 0..800 {
         if !left[0].exists() && work().len() == 1 {
             break;
         }

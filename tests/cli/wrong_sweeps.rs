@@ -157,7 +157,7 @@ const WRONG: [Wrong; 44] = [
         ["sweep/value", "sweep.yaml:4", "`limits.threads` is 0", "1 or more"],
     ),
     (
-        "AXEStable: t.csv",
+        "AXEStable: t.csv\naxes: {plate.width: [180, 200]}",
         "Plate.thickness\n10\n",
         ["yaml/unknown-key", "t.csv:2", "did you mean `plate`", "the keys known here"],
     ),
