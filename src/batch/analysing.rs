@@ -39,114 +39,105 @@ impl Chain {
     }
 }
 
-/// The work with finite elements of a part that has no record yet, the longest chain first.
-/// `memory`: the memory of each job \[bytes\].
-pub fn chains(
-    folder: &SweepFolder,
-    plan: &Plan,
-    kit: &Kit,
-    part: &Part,
-    memory: u64,
-) -> Result<Vec<Chain>, Diagnostics> {
-    let mut chains = match &plan.header.choose {
-        Some(choose) => of_groups(folder, plan, kit, choose, part, memory)?,
-        None => of_cases(folder, plan, kit, part, memory)?,
-    };
-    // a stable sort: equal chains keep the order of the plan
-    chains.sort_by(|a, b| b.seconds().total_cmp(&a.seconds()));
-    Ok(chains)
+/// What a part of a sweep has to analyse.
+pub struct Open<'a> {
+    /// The folder of the sweep.
+    pub folder: &'a SweepFolder,
+    /// Its plan.
+    pub plan: &'a Plan,
+    /// Catalogue and templates.
+    pub kit: &'a Kit,
+    /// The part.
+    pub part: &'a Part,
+    /// Memory of each job \[bytes\].
+    pub memory: u64,
 }
 
-/// A chain of its own for every case.
-fn of_cases(
-    folder: &SweepFolder,
-    plan: &Plan,
-    kit: &Kit,
-    part: &Part,
-    memory: u64,
-) -> Result<Vec<Chain>, Diagnostics> {
-    let header = &plan.header;
-    let mut seen = BTreeSet::new();
-    let mut chains = Vec::new();
-    let runs = folder.runs(&plan.cases);
-    for run in part.runs(&runs).into_iter().map(|k| runs[k]) {
-        let records = match header.first {
-            Some(_) => folder.checked(run)?,
-            None => None,
+impl Open<'_> {
+    /// The work with finite elements that has no record yet, the longest chain first.
+    pub fn chains(&self) -> Result<Vec<Chain>, Diagnostics> {
+        let mut chains = match &self.plan.header.choose {
+            Some(choose) => self.of_groups(choose)?,
+            None => self.of_cases()?,
         };
-        for (i, case) in run.iter().enumerate() {
-            let checked = records.as_ref().map(|r| &r[i]);
-            let asked = checked.map_or(header.first.is_none(), |r| header.wants(r));
-            if !asked || !seen.insert(&case.key) || answered(folder, case)?.is_some() {
-                continue;
-            }
-            let jobs = vec![job(plan, kit, case, checked, memory)?];
-            chains.push(Chain { jobs, first_that_holds: false });
-        }
+        // a stable sort: equal chains keep the order of the plan
+        chains.sort_by(|a, b| b.seconds().total_cmp(&a.seconds()));
+        Ok(chains)
     }
-    Ok(chains)
-}
 
-/// A chain for every group of the choice: its candidates from the cheapest upward, up to the first
-/// that is known to hold.
-fn of_groups(
-    folder: &SweepFolder,
-    plan: &Plan,
-    kit: &Kit,
-    choose: &Choose,
-    part: &Part,
-    memory: u64,
-) -> Result<Vec<Chain>, Diagnostics> {
-    let checked = folder.all_checked(&plan.cases)?;
-    let mut chains = Vec::new();
-    for group in part.groups(choice::groups(plan, choose)) {
-        let mut jobs = Vec::new();
-        for c in choice::candidates(&group, plan, kit, choose, &checked) {
-            match c.decider {
-                Decider::Checks => break,
-                Decider::Nothing => continue,
-                Decider::Analysis => {}
-            }
-            let case = &plan.cases[c.case];
-            match answered(folder, case)? {
-                Some(record) if record.outcome == Outcome::Ok => break,
-                Some(_) => {}
-                None => jobs.push(job(plan, kit, case, checked[c.case].as_ref(), memory)?),
+    /// A chain of its own for every case.
+    fn of_cases(&self) -> Result<Vec<Chain>, Diagnostics> {
+        let header = &self.plan.header;
+        let mut seen = BTreeSet::new();
+        let mut chains = Vec::new();
+        let runs = self.folder.runs(&self.plan.cases);
+        for run in self.part.runs(&runs).into_iter().map(|k| runs[k]) {
+            let records = match header.first {
+                Some(_) => self.folder.checked(run)?,
+                None => None,
+            };
+            for (i, case) in run.iter().enumerate() {
+                let checked = records.as_ref().map(|r| &r[i]);
+                let asked = checked.map_or(header.first.is_none(), |r| header.wants(r));
+                if !asked || !seen.insert(&case.key) || self.answered(case)?.is_some() {
+                    continue;
+                }
+                let jobs = vec![self.job(case, checked)?];
+                chains.push(Chain { jobs, first_that_holds: false });
             }
         }
-        if !jobs.is_empty() {
-            chains.push(Chain { jobs, first_that_holds: true });
-        }
+        Ok(chains)
     }
-    Ok(chains)
-}
 
-/// The answer of finite elements to a case. What gave no result is tried again: the machine or the
-/// limits may be others now.
-fn answered(folder: &SweepFolder, case: &Case) -> Result<Option<Record>, Box<Diagnostic>> {
-    Ok(folder.analysed(&case.key)?.filter(Record::is_final))
-}
+    /// A chain for every group of the choice: its candidates from the cheapest upward, up to the
+    /// first that is known to hold.
+    fn of_groups(&self, choose: &Choose) -> Result<Vec<Chain>, Diagnostics> {
+        let plan = self.plan;
+        let checked = self.folder.all_checked(&plan.cases)?;
+        let mut chains = Vec::new();
+        for group in &self.part.groups {
+            let mut jobs = Vec::new();
+            for c in choice::candidates(group, plan, self.kit, choose, &checked) {
+                match c.decider {
+                    Decider::Checks => break,
+                    Decider::Nothing => continue,
+                    Decider::Analysis => {}
+                }
+                let case = &plan.cases[c.case];
+                match self.answered(case)? {
+                    Some(record) if record.outcome == Outcome::Ok => break,
+                    Some(_) => {}
+                    None => jobs.push(self.job(case, checked[c.case].as_ref())?),
+                }
+            }
+            if !jobs.is_empty() {
+                chains.push(Chain { jobs, first_that_holds: true });
+            }
+        }
+        Ok(chains)
+    }
 
-fn job(
-    plan: &Plan,
-    kit: &Kit,
-    case: &Case,
-    checked: Option<&Record>,
-    memory: u64,
-) -> Result<Job, Box<Diagnostic>> {
-    let header = &plan.header;
-    let mut spec = kit.spec(&header.expansion, case.index)?;
-    title(&mut spec, &case.name);
-    let of_analysis = time_limit(&spec);
-    let limits = process_limits(header, of_analysis, memory);
-    Ok(Job {
-        key: case.key.clone(),
-        spec,
-        checked: checked.cloned(),
-        limit: header.then.is_some(),
-        limits,
-        forecast: elements(of_analysis).min(limits.time.as_secs_f64()),
-    })
+    /// The answer of finite elements to a case. What gave no result is tried again: the machine or
+    /// the limits may be others now.
+    fn answered(&self, case: &Case) -> Result<Option<Record>, Box<Diagnostic>> {
+        Ok(self.folder.analysed(&case.key)?.filter(Record::is_final))
+    }
+
+    fn job(&self, case: &Case, checked: Option<&Record>) -> Result<Job, Box<Diagnostic>> {
+        let header = &self.plan.header;
+        let mut spec = self.kit.spec(&header.expansion, case.index)?;
+        title(&mut spec, &case.name);
+        let of_analysis = time_limit(&spec);
+        let limits = process_limits(header, of_analysis, self.memory);
+        Ok(Job {
+            key: case.key.clone(),
+            spec,
+            checked: checked.cloned(),
+            limit: header.then.is_some(),
+            limits,
+            forecast: elements(of_analysis).min(limits.time.as_secs_f64()),
+        })
+    }
 }
 
 /// Adds the name of the case to the title of its report.

@@ -1,7 +1,6 @@
 //! The checks of cases.
 
 use super::case::Case;
-use super::choice;
 use super::part::Part;
 use super::plan::Plan;
 use super::row::Record;
@@ -42,11 +41,10 @@ pub fn check_all(
 /// from.
 pub fn runs_of<'a>(folder: &SweepFolder, plan: &'a Plan, part: &Part) -> Vec<&'a [Case]> {
     let runs = folder.runs(&plan.cases);
-    let Some(choose) = plan.header.choose.as_ref().filter(|_| plan.header.then.is_some()) else {
+    if plan.header.choose.is_none() || plan.header.then.is_none() {
         return part.runs(&runs).into_iter().map(|k| runs[k]).collect();
-    };
+    }
     let length = runs.first().map_or(1, |r| r.len());
-    let groups = part.groups(choice::groups(plan, choose));
-    let wanted = groups.iter().flat_map(|g| g.cases.iter().map(|i| i / length));
+    let wanted = part.groups.iter().flat_map(|g| g.cases.iter().map(|i| i / length));
     wanted.collect::<BTreeSet<_>>().into_iter().map(|k| runs[k]).collect()
 }

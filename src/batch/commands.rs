@@ -1,6 +1,6 @@
 //! The steps of `bracket batch`: plan, run, status, merge.
 
-use super::analysing::{Chain, Work, chains};
+use super::analysing::{Chain, Open, Work};
 use super::cache::Cache;
 use super::capacity::fill;
 use super::checking::{check_all, runs_of};
@@ -140,7 +140,7 @@ pub fn run(
         return Ok(());
     }
     let (workers, memory) = side_by_side(&header.limits, options.jobs, log)?;
-    let chains = chains(folder, plan, &kit, &part, memory)?;
+    let chains = Open { folder, plan, kit: &kit, part: &part, memory }.chains()?;
     if chains.is_empty() {
         return Ok(());
     }

@@ -1,6 +1,6 @@
 //! `results.parquet`: the rows of a sweep as a column file, for data frames and databases.
 
-use super::results_table::{INTEGERS, NUMBERS};
+use super::results_table::Kind;
 use crate::diag::Diagnostic;
 use parquet::basic::{LogicalType, Repetition, Type as Physical};
 use parquet::data_type::{ByteArray, ByteArrayType, DoubleType, Int64Type};
@@ -14,35 +14,17 @@ use std::sync::Arc;
 /// Rows of a group: what a reader takes at once.
 const GROUP: usize = 100_000;
 
-/// Kind of the values of a column. It depends on the name alone, so that the files of all sweeps
-/// have the same types.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
-    Number,
-    Integer,
-    Text,
-}
-
-impl Kind {
-    fn of(column: &str) -> Self {
-        match column {
-            c if NUMBERS.contains(&c) => Kind::Number,
-            c if INTEGERS.contains(&c) => Kind::Integer,
-            _ => Kind::Text,
-        }
-    }
-
-    fn field(self, name: &str) -> Result<Type, ParquetError> {
-        let (physical, logical) = match self {
-            Kind::Number => (Physical::DOUBLE, None),
-            Kind::Integer => (Physical::INT64, None),
-            Kind::Text => (Physical::BYTE_ARRAY, Some(LogicalType::String)),
-        };
-        Type::primitive_type_builder(name, physical)
-            .with_repetition(Repetition::OPTIONAL)
-            .with_logical_type(logical)
-            .build()
-    }
+/// The column of a kind.
+fn field(kind: Kind, name: &str) -> Result<Type, ParquetError> {
+    let (physical, logical) = match kind {
+        Kind::Number => (Physical::DOUBLE, None),
+        Kind::Integer => (Physical::INT64, None),
+        Kind::Text => (Physical::BYTE_ARRAY, Some(LogicalType::String)),
+    };
+    Type::primitive_type_builder(name, physical)
+        .with_repetition(Repetition::OPTIONAL)
+        .with_logical_type(logical)
+        .build()
 }
 
 /// The rows as a Parquet file. All rows have the columns of the first; null is an absent value.
@@ -55,7 +37,7 @@ pub fn parquet(rows: &[Map<String, Value>]) -> Result<Vec<u8>, Box<Diagnostic>> 
 
 fn write(rows: &[Map<String, Value>]) -> Result<Vec<u8>, ParquetError> {
     let names: Vec<&String> = rows.first().map(|r| r.keys().collect()).unwrap_or_default();
-    let fields = names.iter().map(|n| Ok(Arc::new(Kind::of(n).field(n)?)));
+    let fields = names.iter().map(|n| Ok(Arc::new(field(Kind::of(n), n)?)));
     let fields = fields.collect::<Result<Vec<_>, ParquetError>>()?;
     let schema = Arc::new(Type::group_type_builder("results").with_fields(fields).build()?);
     let properties = Arc::new(WriterProperties::builder().build());

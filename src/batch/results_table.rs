@@ -12,47 +12,52 @@ use crate::diag::Diagnostic;
 use rayon::prelude::*;
 use serde_json::{Map, Value, json};
 
+/// Kind of the values of a column. It depends on the name alone, so that the tables of all sweeps
+/// have the same types.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// A number.
+    Number,
+    /// An integer.
+    Integer,
+    /// A text.
+    Text,
+}
+
 /// The columns behind the varied paths.
-const COLUMNS: [&str; 20] = [
-    "load_case",
-    "outcome",
-    "verdict",
-    "by_code",
-    "by_analysis",
-    "lambda_low",
-    "lambda_up",
-    "utilisation_low",
-    "utilisation_up",
-    "M_j_Rd_kNm",
-    "component_factor",
-    "S_j_ini_kNm_per_rad",
-    "governing",
-    "clause",
-    "governing_utilisation",
-    "mass_kg",
-    "bolts",
-    "seconds",
-    "result",
-    "cause",
+const COLUMNS: [(&str, Kind); 20] = [
+    ("load_case", Kind::Text),
+    ("outcome", Kind::Text),
+    ("verdict", Kind::Text),
+    ("by_code", Kind::Text),
+    ("by_analysis", Kind::Text),
+    ("lambda_low", Kind::Number),
+    ("lambda_up", Kind::Number),
+    ("utilisation_low", Kind::Number),
+    ("utilisation_up", Kind::Number),
+    ("M_j_Rd_kNm", Kind::Number),
+    ("component_factor", Kind::Number),
+    ("S_j_ini_kNm_per_rad", Kind::Number),
+    ("governing", Kind::Text),
+    ("clause", Kind::Text),
+    ("governing_utilisation", Kind::Number),
+    ("mass_kg", Kind::Number),
+    ("bolts", Kind::Integer),
+    ("seconds", Kind::Number),
+    ("result", Kind::Text),
+    ("cause", Kind::Text),
 ];
 
-/// Columns that hold numbers; bounds, utilisations, resistances, masses and times.
-pub const NUMBERS: [&str; 11] = [
-    "lambda_low",
-    "lambda_up",
-    "utilisation_low",
-    "utilisation_up",
-    "M_j_Rd_kNm",
-    "component_factor",
-    "S_j_ini_kNm_per_rad",
-    "governing_utilisation",
-    "mass_kg",
-    "seconds",
-    "cost",
-];
+/// The columns of the choice.
+const CHOICE: [(&str, Kind); 2] = [("choice", Kind::Text), ("cost", Kind::Number)];
 
-/// Columns that hold integers.
-pub const INTEGERS: [&str; 1] = ["bolts"];
+impl Kind {
+    /// The kind of a column; those of the varied paths are texts.
+    pub fn of(column: &str) -> Self {
+        let known = COLUMNS.iter().chain(&CHOICE).find(|(name, _)| *name == column);
+        known.map_or(Kind::Text, |(_, kind)| *kind)
+    }
+}
 
 /// A row of the tables: names of columns with their values; null where there is none. `choice`: the
 /// columns of the choice; `derived`: those of the values of `set`.
@@ -61,7 +66,7 @@ fn row(
     case: &Case,
     record: Option<&Record>,
     load: Option<&LoadRow>,
-    choice: Option<&[(&str, Value); 2]>,
+    choice: Option<&[Value; 2]>,
     derived: &[(String, Value)],
 ) -> Map<String, Value> {
     let mut row = Map::new();
@@ -95,15 +100,18 @@ fn row(
         json!(with_elements.map(Record::folder)),
         json!(record.and_then(|r| r.cause.as_ref())),
     ];
-    row.extend(COLUMNS.iter().map(|c| (*c).to_string()).zip(values));
-    row.extend(choice.into_iter().flatten().map(|(k, v)| ((*k).to_string(), v.clone())));
+    let names = |columns: &[(&str, Kind)]| -> Vec<String> {
+        columns.iter().map(|(name, _)| (*name).to_string()).collect()
+    };
+    row.extend(names(&COLUMNS).into_iter().zip(values));
+    row.extend(names(&CHOICE).into_iter().zip(choice.into_iter().flatten().cloned()));
     row
 }
 
 /// The columns of the choice for each case: `choice` is `chosen`, or `not needed` where a cheaper
 /// joint holds; `cost` is known of those that can be chosen.
-fn of_choice(merged: &Merged) -> Vec<[(&'static str, Value); 2]> {
-    let mut out = vec![[("choice", Value::Null), ("cost", Value::Null)]; merged.records.len()];
+fn of_choice(merged: &Merged) -> Vec<[Value; 2]> {
+    let mut out = vec![[Value::Null, Value::Null]; merged.records.len()];
     for d in &merged.decisions {
         for (i, c) in d.candidates.iter().enumerate() {
             let word = match d.chosen {
@@ -111,7 +119,7 @@ fn of_choice(merged: &Merged) -> Vec<[(&'static str, Value); 2]> {
                 Some(k) if k < i => json!("not needed"),
                 _ => Value::Null,
             };
-            out[c.case] = [("choice", word), ("cost", finite(c.cost))];
+            out[c.case] = [word, finite(c.cost)];
         }
     }
     out
@@ -125,6 +133,9 @@ pub fn finite(value: f64) -> Value {
 /// The values of `set` in a case, as text; null where they have none.
 fn of_set(plan: &Plan, kit: &Kit, case: &Case) -> Vec<(String, Value)> {
     let expansion = &plan.header.expansion;
+    if expansion.derived.is_empty() {
+        return Vec::new();
+    }
     let spec = kit.spec(expansion, case.index).ok();
     let value = |p: &SpecPath| spec.as_ref().and_then(|s| p.get(s)).map(words);
     let one = |d: &Derived| (d.path.text().to_string(), json!(value(&d.path)));
