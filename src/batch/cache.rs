@@ -2,7 +2,8 @@
 
 use super::row::{Outcome, Record};
 use super::sweep_folder::{SweepFolder, copy_folder};
-use super::worker::{Job, RESULT, clear_work, found, keep, own, work_folder};
+use super::work_folder::{clear_work, own, work_folder};
+use super::worker::{Job, RESULT, found, keep};
 use crate::diag::Diagnostic;
 use crate::report::console::log::Log;
 use std::path::Path;
@@ -51,7 +52,7 @@ impl<'a> Cache<'a> {
     /// cache that fails.
     fn copy(&self, key: &str, from: &SweepFolder, into: &SweepFolder) {
         let work = work_folder(into, key);
-        let copied = own(&work)
+        let copied = own(&work, &[std::process::id()])
             .and_then(|()| copy_folder(&from.case_folder(key), &work.join(RESULT)))
             .and_then(|()| keep(&work.join(RESULT), &into.case_folder(key)));
         let _ = std::fs::remove_dir_all(&work);

@@ -20,7 +20,7 @@ use super::summary;
 use super::sweep::CaseLimits;
 use super::sweep_file::SweepFile;
 use super::sweep_folder::{SweepFolder, write_whole};
-use super::worker::clear_work;
+use super::work_folder::clear_work;
 use crate::analysis::memory::room;
 use crate::diag::{Diagnostic, Diagnostics, ExitStatus};
 use crate::driver::interrupt::Interrupt;

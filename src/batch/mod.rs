@@ -32,4 +32,5 @@ pub mod sweep;
 pub mod sweep_file;
 pub mod sweep_folder;
 pub mod table;
+mod work_folder;
 pub mod worker;

@@ -4,7 +4,8 @@
 use super::plan::Header;
 use super::row::{LoadRow, Outcome, Record};
 use super::screen::first_end;
-use super::sweep_folder::{SweepFolder, unique, write_whole};
+use super::sweep_folder::{SweepFolder, write_whole};
+use super::work_folder::{own, work_folder};
 use crate::analysis::memory::resident_of;
 use crate::checks::judgement::Governing;
 use crate::diag::Diagnostic;
@@ -28,70 +29,8 @@ const ECHO: Duration = Duration::from_millis(200);
 /// Interval at which a process is looked at.
 const LOOK: Duration = Duration::from_millis(100);
 
-/// Folder of unfinished work in the folder of a sweep.
-const WORK: &str = "work";
-
-/// File in a folder of work with the process that does it.
-const OWNER: &str = "owner";
-
 /// Result folder in a folder of work.
 pub const RESULT: &str = "result";
-
-/// A new folder for the work on a case.
-pub fn work_folder(folder: &SweepFolder, key: &str) -> PathBuf {
-    folder.path().join(WORK).join(format!("{key}.{}", unique()))
-}
-
-/// Notes in a folder of work that this process does it.
-pub fn own(work: &Path) -> Result<(), Box<Diagnostic>> {
-    write_whole(&work.join(OWNER), this_process(std::process::id()).as_bytes())
-}
-
-/// A process of this machine since it was started, as one line.
-fn this_process(pid: u32) -> String {
-    let boot = fs::read_to_string("/proc/sys/kernel/random/boot_id").unwrap_or_default();
-    let names = fs::read_link("/proc/self/ns/pid").unwrap_or_default();
-    format!("{} {} {pid}", boot.trim(), names.display())
-}
-
-/// Removes a folder of work. The case of a process that was killed ends a moment after it, and may
-/// still write.
-fn remove(work: &Path) {
-    for _ in 0..20 {
-        if fs::remove_dir_all(work).is_ok() || !work.exists() {
-            return;
-        }
-        std::thread::sleep(LOOK);
-    }
-}
-
-/// Removes the work of processes of this machine that were killed.
-pub fn clear_work(folder: &SweepFolder) {
-    let Ok(entries) = fs::read_dir(folder.path().join(WORK)) else { return };
-    for work in entries.flatten().map(|e| e.path()) {
-        let owner = fs::read_to_string(work.join(OWNER)).unwrap_or_default();
-        let pid = owner.rsplit(' ').next().and_then(|p| p.parse::<u32>().ok());
-        // without a name of the boot the owner may be a process of another machine
-        let ours = pid.filter(|p| !owner.starts_with(' ') && this_process(*p) == owner);
-        if ours.is_some_and(has_ended) {
-            remove(&work);
-        }
-    }
-}
-
-/// True if there is no process with this number.
-#[cfg(unix)]
-fn has_ended(pid: u32) -> bool {
-    use nix::errno::Errno;
-    use nix::sys::signal::kill;
-    kill(nix::unistd::Pid::from_raw(pid.cast_signed()), None) == Err(Errno::ESRCH)
-}
-
-/// Whether a process lives is not known here.
-#[cfg(not(unix))]
-fn has_ended(_: u32) -> bool {
-    false
-}
 
 /// Limits of a process.
 #[derive(Clone, Copy, Debug)]
@@ -192,7 +131,7 @@ fn run(
     let text =
         yaml::to_string(&absolute(job.spec.clone(), &header.folder)).map_err(|f| f.into_first())?;
     write_whole(&spec, text.as_bytes())?;
-    own(work)?;
+    own(work, &[std::process::id()])?;
     let program = std::env::current_exe().map_err(|e| {
         Diagnostic::environment("sweep/program", format!("the program does not find itself: {e}"))
     })?;
@@ -216,11 +155,13 @@ fn run(
     }
     arguments.push("--quiet".into());
     let mut command = Command::new(program);
-    command.args(arguments).env(END_WITH_PARENT, "1");
+    command.args(arguments).env(END_WITH_PARENT, std::process::id().to_string());
     command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(log);
     #[cfg(unix)]
     std::os::unix::process::CommandExt::process_group(&mut command, 0);
     let mut child = command.spawn().map_err(start_fault)?;
+    // without the second process the next one does not wait for its end
+    let _ = own(work, &[std::process::id(), child.id()]);
     wait(&mut child, job.limits, interrupt).map_err(start_fault)
 }
 

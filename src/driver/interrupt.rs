@@ -9,8 +9,8 @@ use crate::report::console::log::Log;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError, Weak};
 
-/// Environment variable that asks a process to end when the one that started it dies: a batch sets
-/// it for its cases.
+/// Environment variable with the number of the process that started this one, which ends when that
+/// one dies: a batch sets it for its cases.
 pub const END_WITH_PARENT: &str = "BRACKET_END_WITH_PARENT";
 
 /// Clean-up before the program exits at once, so that it leaves no half-written result.
@@ -97,9 +97,13 @@ impl Interrupt {
             .help("run the command from a shell of its own")
         };
         #[cfg(target_os = "linux")]
-        if std::env::var_os(END_WITH_PARENT).is_some() {
+        if let Ok(parent) = std::env::var(END_WITH_PARENT) {
             let signal = nix::sys::prctl::set_pdeathsig(Signal::SIGTERM);
             signal.map_err(|e| failed(e.to_string()))?;
+            // the signal does not come for a process that died before it was asked for
+            if nix::unistd::getppid().to_string() != parent {
+                std::process::exit(ExitStatus::Undecided.code().into());
+            }
         }
         wanted.thread_block().map_err(|e| failed(e.to_string()))?;
         let watcher = self.clone();
