@@ -27,5 +27,7 @@ mod rigid_bodies;
 mod shared_patterns;
 #[path = "limit/slip.rs"]
 mod slip;
+#[path = "limit/ties.rs"]
+mod ties;
 #[path = "limit/welds.rs"]
 mod welds;

@@ -6,7 +6,9 @@
 //! face. The identity Σ contributions = gap, asserted in every run, ties both certificates
 //! together.
 
-use crate::certify::faces::{FaceKey, FaceRole, InterfaceFace, contact_faces, roles, weld_faces};
+use crate::certify::faces::{
+    FaceKey, FaceRole, InterfaceFace, contact_faces, roles, tie_faces, weld_faces,
+};
 use crate::certify::fields::{DisplacementField, StressField};
 use crate::certify::measures::{largest, largest_of_each, ratio};
 use crate::certify::rigid_fit::fit_rigid;
@@ -165,6 +167,8 @@ pub fn certify_stress(
         let r = contact_tractions(model, field, &f, roles.get(&(f.a.tet, f.a.local)));
         jump = jump.max(sides_differ(model, field, &f, &r));
     }
+    let at_tie = |f| sides_differ(model, field, f, &contact_tractions(model, field, f, None));
+    jump = jump.max(largest(tie_faces(model).iter().map(at_tie)));
     for f in &contacts {
         let r = contact_tractions(model, field, f, roles.get(&(f.a.tet, f.a.local)));
         let (n, area) = f.normal(model);

@@ -7,19 +7,22 @@
 //!
 //! Limit analysis, at unit power of the live loads:
 //! `λ_up − λ_low = Σ_K ∫ π(ε) − σ:ε + Σ_contact ∫ r_N g_N + r_T·g_T + Σ_weld (D − ∫ t·g) + Σ_slip
-//! (D + ∫ σn·v)`, with dissipations by the rule of the upper bound; slip faces are those of
-//! [`crate::certify::slip`]. Every term is ≥ 0 where the stress is inside the
-//! yield surface.
+//! (D + ∫ σn·v) + Σ_tie (D − ∫ t·[v])`, with dissipations by the rule of the upper bound; slip
+//! faces are those of [`crate::certify::slip`], ties those of [`crate::certify::ties`]. Every term
+//! is ≥ 0 where the stress is inside the yield surface.
 //!
 //! # Source
 //! Ladevèze and Pelle; section 4.1 of the paper, equations (11) and (12).
 
-use crate::certify::faces::{ContactFace, contact_faces, roles, weld_faces};
+use crate::certify::faces::{
+    ContactFace, InterfaceFace, TieFace, WeldFace, contact_faces, roles, tie_faces, weld_faces,
+};
 use crate::certify::fields::{DisplacementField, StressField};
 use crate::certify::limit_certificate::dissipation_densities;
 use crate::certify::plastic_certificate::{dissipated, stress_at_points};
 use crate::certify::plastic_field::{PlasticField, at_points, tensor};
 use crate::certify::slip::{SlipFace, slip_faces};
+use crate::certify::ties;
 use crate::certify::tractions::contact_tractions;
 use crate::certify::velocity_field::VelocityField;
 use crate::certify::velocity_field::pieces;
@@ -49,12 +52,14 @@ pub struct Contributions {
     /// Limit analysis: contribution of each held face on which a body may slip, in the order of
     /// [`slip_faces`].
     pub slips: Vec<f64>,
+    /// Limit analysis: contribution of each tie face, in the order of [`tie_faces`].
+    pub ties: Vec<f64>,
 }
 
 impl Contributions {
     /// Their sum: `Π_p + Π_c`, or `λ_up − λ_low`.
     pub fn total(&self) -> f64 {
-        let faces = self.contacts.iter().chain(&self.welds).chain(&self.slips);
+        let faces = self.contacts.iter().chain(&self.welds).chain(&self.slips).chain(&self.ties);
         Sum::of(self.elements.iter().chain(faces).copied())
     }
 
@@ -64,7 +69,8 @@ impl Contributions {
         let mut tets = self.elements.clone();
         let contacts = contact_faces(model).into_iter().map(|f| (f.a, f.b)).zip(&self.contacts);
         let welds = weld_faces(model).into_iter().map(|f| (f.a, f.b)).zip(&self.welds);
-        for ((a, b), c) in contacts.chain(welds) {
+        let ties = tie_faces(model).into_iter().map(|f| (f.a, f.b)).zip(&self.ties);
+        for ((a, b), c) in contacts.chain(welds).chain(ties) {
             match b {
                 Some((b, _)) => {
                     tets[a.tet as usize] += 0.5 * c;
@@ -101,7 +107,7 @@ pub fn contributions(
         .collect();
     let contacts = contact_work(model, &space, u, s, Loads::ALL, true);
     let welds = weld_work(model, &space, u, s, Loads::ALL);
-    Contributions { elements, contacts, welds, slips: Vec::new() }
+    Contributions { elements, contacts, welds, ..Contributions::default() }
 }
 
 /// Velocities and a stress field of one mesh, each with the data of its certificate.
@@ -152,9 +158,14 @@ pub fn limit_contributions(model: &AnalysisModel, pair: &LimitPair) -> Contribut
     let u = &v.nodes.u;
     let slip = |f: &SlipFace| f.dissipation(&space, u) + f.power(model, &space, s, u);
     let mut slips: Vec<f64> = slip_faces(model).iter().map(slip).collect();
-    let faces = contacts.iter_mut().chain(&mut welds).chain(&mut slips);
+    let tie = |f: &TieFace<'_>| {
+        let r = contact_tractions(model, s, f, None);
+        ties::dissipation_of(model, &space, f, u) + work_on_jump(model, &space, &v.nodes, &r, f)
+    };
+    let mut ties: Vec<f64> = tie_faces(model).iter().map(tie).collect();
+    let faces = contacts.iter_mut().chain(&mut welds).chain(&mut slips).chain(&mut ties);
     faces.for_each(|c| *c /= live_power);
-    Contributions { elements, contacts, welds, slips }
+    Contributions { elements, contacts, welds, slips, ties }
 }
 
 /// Mean of `σ:ε` over a tet, both linear in it.
@@ -189,7 +200,7 @@ pub fn plastic_contributions(
         .collect();
     let contacts = contact_work(model, &space, &field.nodes, s, Loads::ALL, true);
     let welds = weld_work(model, &space, &field.nodes, s, Loads::ALL);
-    Contributions { elements, contacts, welds, slips: Vec::new() }
+    Contributions { elements, contacts, welds, ..Contributions::default() }
 }
 
 fn minus(a: &PointStress, b: &PointStress) -> PointStress {
@@ -239,19 +250,29 @@ fn weld_work(
     loads: Loads,
 ) -> Vec<f64> {
     let roles = roles(model, loads);
-    weld_faces(model)
-        .iter()
-        .map(|f| {
-            let r = contact_tractions(model, s, f, roles.get(&(f.a.tet, f.a.local)));
-            let (_, area) = f.normal(model);
-            let g = welds::jumps(space, f, &u.u);
-            let terms = TRIANGLE_4.iter().map(|(l, w)| {
-                let shape = triangle_p2(*l);
-                let g = (0..6).fold([0.0; 3], |s, i| vec3::add(s, vec3::scale(shape[i], g[i])));
-                let r: V3 = std::array::from_fn(|d| (0..3).map(|i| l[i] * r[i][d]).sum());
-                w * area * vec3::dot(r, g)
-            });
-            welds::dissipation_of(model, space, f, &u.u) + terms.sum::<f64>()
-        })
-        .collect()
+    let work = |f: &WeldFace<'_>| {
+        let r = contact_tractions(model, s, f, roles.get(&(f.a.tet, f.a.local)));
+        welds::dissipation_of(model, space, f, &u.u) + work_on_jump(model, space, u, &r, f)
+    };
+    weld_faces(model).iter().map(work).collect()
+}
+
+/// `∫ r·g` of a traction that is linear on a face, given at its vertices, and the jump of a
+/// displacement.
+fn work_on_jump<L>(
+    model: &AnalysisModel,
+    space: &Tet10Space,
+    u: &DisplacementField,
+    r: &[V3; 3],
+    face: &InterfaceFace<'_, L>,
+) -> f64 {
+    let (_, area) = face.normal(model);
+    let g = welds::jumps(space, face, &u.u);
+    let terms = TRIANGLE_4.iter().map(|(l, w)| {
+        let shape = triangle_p2(*l);
+        let g = (0..6).fold([0.0; 3], |s, i| vec3::add(s, vec3::scale(shape[i], g[i])));
+        let r: V3 = std::array::from_fn(|d| (0..3).map(|i| l[i] * r[i][d]).sum());
+        w * area * vec3::dot(r, g)
+    });
+    terms.sum()
 }

@@ -3,7 +3,7 @@
 use crate::math::vec3::{self, V3};
 use crate::mesh::tet::FACES;
 use crate::model::AnalysisModel;
-use crate::model::analysis::{BoundaryFace, ContactLaw, FacePair, SurfaceLoad, Weld};
+use crate::model::analysis::{BoundaryFace, ContactLaw, FacePair, SurfaceLoad, Tie, Weld};
 use crate::model::loads::Loads;
 use crate::model::opening::Bernstein;
 
@@ -17,7 +17,7 @@ pub struct FaceRole<'a> {
     pub reaction: [bool; 3],
     /// Loads on the face, each with its factor.
     pub loads: Vec<(f64, &'a SurfaceLoad)>,
-    /// True in contact or at a weld: the traction is that of the interface.
+    /// True in contact, at a weld or at a tie: the traction is that of the interface.
     pub contact: bool,
     /// True on a preloaded cut: the traction is that of the other side.
     pub cut: bool,
@@ -60,7 +60,8 @@ pub fn roles(
         }
     }
     let contacts = model.interfaces.iter().flat_map(|i| &i.faces);
-    for f in contacts.chain(model.welds.iter().flat_map(|w| &w.faces)) {
+    let welds = model.welds.iter().flat_map(|w| &w.faces);
+    for f in contacts.chain(welds).chain(model.ties.iter().flat_map(|t| &t.faces)) {
         roles.entry(key(&f.a)).or_default().contact = true;
         roles.entry(key(&f.b)).or_default().contact = true;
     }
@@ -97,6 +98,8 @@ pub struct InterfaceFace<'a, L> {
 pub type ContactFace<'a> = InterfaceFace<'a, ContactLaw>;
 /// A face of a weld of finite strength.
 pub type WeldFace<'a> = InterfaceFace<'a, Weld>;
+/// A face of a tie.
+pub type TieFace<'a> = InterfaceFace<'a, Tie>;
 
 fn pair<'a, L>(law: &'a L, of: usize, f: &FacePair) -> InterfaceFace<'a, L> {
     InterfaceFace { index: 0, law, of, a: f.a, nodes_a: f.nodes_a, b: Some((f.b, f.nodes_b)) }
@@ -106,6 +109,12 @@ fn pair<'a, L>(law: &'a L, of: usize, f: &FacePair) -> InterfaceFace<'a, L> {
 pub fn weld_faces(model: &AnalysisModel) -> Vec<WeldFace<'_>> {
     let welds = model.welds.iter().enumerate();
     numbered(welds.flat_map(|(of, weld)| weld.faces.iter().map(move |f| pair(weld, of, f))))
+}
+
+/// Every tie face of the model, tie by tie.
+pub fn tie_faces(model: &AnalysisModel) -> Vec<TieFace<'_>> {
+    let ties = model.ties.iter().enumerate();
+    numbered(ties.flat_map(|(of, tie)| tie.faces.iter().map(move |f| pair(tie, of, f))))
 }
 
 /// Every contact face of the model, interfaces first.

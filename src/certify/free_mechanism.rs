@@ -6,7 +6,7 @@
 //! do no work against it, `λ_up = (0 − dead power)/live power ≤ 0`. The certificate is that of an
 //! upper bound with every body rigid; it does not depend on how the motion was found.
 
-use crate::certify::faces::weld_faces;
+use crate::certify::faces::{tie_faces, weld_faces};
 use crate::certify::limit_certificate::{UpperCertificate, certify_upper};
 use crate::certify::load_factor::UpperFactor;
 use crate::certify::measures::{largest, ratio};
@@ -29,17 +29,22 @@ pub struct FreeMechanism {
 }
 
 /// Certifies velocities as a mechanism at zero load: an upper bound with every body and every weld
-/// rigid, nothing dissipates. A weld's jump over the largest velocity counts among the strains of
-/// rigid bodies.
+/// rigid, nothing dissipates. A jump at a weld or a tie over the largest velocity counts among the
+/// strains of rigid bodies.
 pub fn certify_free(model: &AnalysisModel, field: &VelocityField) -> UpperCertificate {
     let mut rigid = model.clone();
     rigid.materials.iter_mut().for_each(|m| m.fy = None);
     rigid.welds.clear();
+    rigid.ties.clear();
     let mut certificate = certify_upper(&rigid, field, 0);
     let u = &field.nodes.u;
     let space = Tet10Space::new(&model.mesh);
-    let jumps = weld_faces(model).into_iter().flat_map(|f| jumps(&space, &f, u).map(vec3::norm));
-    let jump = ratio(largest(jumps), largest(u.iter().map(|x| vec3::norm(*x))));
+    let welds = weld_faces(model).into_iter().flat_map(|f| jumps(&space, &f, u));
+    let ties = tie_faces(model).into_iter().flat_map(|f| jumps(&space, &f, u));
+    let jump = ratio(
+        largest(welds.chain(ties).map(vec3::norm)),
+        largest(u.iter().map(|x| vec3::norm(*x))),
+    );
     certificate.rigid = certificate.rigid.max(jump);
     certificate
 }

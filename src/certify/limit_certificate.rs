@@ -3,7 +3,8 @@
 //! Lower bound: a stress field in equilibrium with `factor · live + dead`, inside yield surface and
 //! friction cones. Upper bound: velocities that keep the volume and satisfy supports and contact
 //! law; the factor is `(dissipation − power of dead loads) / power of live loads`. The dissipation
-//! includes that of slip on held faces ([`crate::certify::slip`]). In limit analysis initial gaps
+//! includes that of slip on held faces ([`crate::certify::slip`]) and along ties
+//! ([`crate::certify::ties`]). In limit analysis initial gaps
 //! count as closed, and bodies without a yield strength are rigid.
 //!
 //! Equations hold to rounding only. An exactly admissible stress or velocity lies nearby; its
@@ -17,6 +18,7 @@ use crate::certify::fields::StressField;
 use crate::certify::measures::{largest, ratio};
 use crate::certify::rigid_fit::fit_rigid;
 use crate::certify::slip;
+use crate::certify::ties;
 use crate::certify::velocity_field::Piece;
 use crate::certify::velocity_field::VelocityField;
 use crate::certify::velocity_field::pieces;
@@ -77,7 +79,8 @@ pub struct UpperCertificate {
     pub volume: f64,
     /// max ‖ε‖ h / max |u| in the others.
     pub rigid: f64,
-    /// max |u − u_d| / max |u| on supports and rigid faces; on slip faces the normal part.
+    /// max |u − u_d| / max |u| on supports and rigid faces; on slip faces the normal part, at ties
+    /// that of the jump.
     pub compatibility: f64,
     /// Largest violation of the contact law by a Bernstein coefficient / max |u|; `None` without
     /// contact.
@@ -91,6 +94,8 @@ pub struct UpperCertificate {
     pub welds: Vec<f64>,
     /// Dissipation of the slip on each support, an upper bound \[N mm per unit of time\].
     pub supports: Vec<f64>,
+    /// Dissipation of the slip along each tie, an upper bound \[N mm per unit of time\].
+    pub ties: Vec<f64>,
     /// Power of the live loads \[N mm per unit of time\].
     pub live_power: f64,
     /// Power of the dead loads \[N mm per unit of time\].
@@ -256,7 +261,7 @@ pub fn certify_upper(
         let power = if load.dead { &mut dead } else { &mut live };
         add_work(model, &space, u, load, power);
     }
-    let mut off = slip::off_supports(model, &space, u);
+    let mut off = slip::off_supports(model, &space, u).max(ties::opening(model, &space, u));
     for r in &model.rigid {
         let (motion, error) = fit_rigid(model, &space, u, r);
         off = off.max(error);
@@ -273,7 +278,8 @@ pub fn certify_upper(
     let strain = largest(shares.iter().map(|s| s.strain));
     let welds = welds::dissipations(model, u);
     let supports = slip::dissipations(model, &space, u);
-    let interfaces = welds.iter().chain(&supports).copied();
+    let ties = ties::dissipations(model, &space, u);
+    let interfaces = welds.iter().chain(&supports).chain(&ties).copied();
     let total = Sum::of(dissipation.iter().map(|d| d.value()).chain(interfaces));
     // the flow that removes a volume change is larger by the inf-sup constant, about 10 in a
     // compact body and more in a slender one; every other residual moves a neighbouring element in
@@ -287,7 +293,7 @@ pub fn certify_upper(
     );
     let weld_capacity =
         Sum::of(weld_faces(model).iter().map(|f| f.law.strength * f.normal(model).1));
-    let slip_capacity = slip::capacity(model, &space, u);
+    let slip_capacity = slip::capacity(model, &space, u) + ties::capacity(model, &space, u);
     let capacity = capacity / smallest + weld_capacity + slip_capacity;
     let hidden = 10.0 * slenderness(model) * residual * capacity;
     let rounding = 1e-13 * (total + dead.value().abs());
@@ -301,6 +307,7 @@ pub fn certify_upper(
         dissipation: dissipation.iter().map(|d| d.value()).collect(),
         welds,
         supports,
+        ties,
         live_power: live.value(),
         dead_power: dead.value(),
         cover: (hidden + rounding) / live.value().abs(),

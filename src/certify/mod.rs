@@ -20,6 +20,7 @@ pub mod resultants;
 pub mod rigid_fit;
 pub mod sampling;
 pub mod slip;
+pub mod ties;
 pub mod tolerance;
 pub mod tractions;
 pub mod unlimited;

@@ -1,11 +1,12 @@
 //! Admissibility of the fields at random points inside elements and on faces.
 
-use crate::certify::faces::{contact_faces, roles, weld_faces};
+use crate::certify::faces::{contact_faces, roles, tie_faces, weld_faces};
 use crate::certify::fields::{DisplacementField, StressField};
 use crate::certify::slip::slip_faces;
 use crate::certify::tractions::{contact_tractions, stress_at};
 use crate::certify::velocity_field::VelocityField;
 use crate::certify::velocity_field::pieces;
+use crate::certify::welds;
 use crate::elements::geometry::gradients;
 use crate::elements::space::Tet10Space;
 use crate::elements::tet10;
@@ -84,7 +85,8 @@ pub struct SampledUpper {
     pub strain: f64,
     /// Violation of the contact law, gaps closed / largest velocity of the field.
     pub gap_cone: f64,
-    /// Normal velocity on held faces along which bodies may slip / largest velocity of the field.
+    /// Normal velocity on held faces along which bodies may slip, normal jump at ties / largest
+    /// velocity of the field.
     pub held: f64,
 }
 
@@ -187,6 +189,14 @@ pub fn sample_upper(model: &AnalysisModel, field: &VelocityField, points: usize)
         let nodes = space.triangle(f.nodes);
         let v = (0..6).fold([0.0; 3], |v, i| vec3::along(v, shape[i], field.nodes.u[nodes[i]]));
         held = held.max(f.across(v).abs());
+    }
+    let ties = tie_faces(model);
+    for _ in 0..points * usize::from(!ties.is_empty()) {
+        let f = &ties[random.index(ties.len())];
+        let shape = triangle_p2(random.barycentric());
+        let jumps = welds::jumps(&space, f, &field.nodes.u);
+        let v = (0..6).fold([0.0; 3], |v, i| vec3::along(v, shape[i], jumps[i]));
+        held = held.max(vec3::dot(f.normal(model).0, v).abs());
     }
     SampledUpper { strain: relative(strain, scale), gap_cone, held: relative(held, scale) }
 }

@@ -1,6 +1,6 @@
 //! Welds of finite strength: utilisation by a stress field, dissipation of a displacement jump.
 
-use crate::certify::faces::{WeldFace, weld_faces};
+use crate::certify::faces::{InterfaceFace, WeldFace, weld_faces};
 use crate::certify::fields::StressField;
 use crate::certify::tractions::contact_tractions;
 use crate::elements::space::{FACE_EDGES, Tet10Space};
@@ -13,10 +13,19 @@ use crate::model::AnalysisModel;
 const SUBDIVISIONS: u32 = 2;
 
 /// Jump of displacements (or velocities) u at the nodes of a face, from side A to side B.
-pub fn jumps(space: &Tet10Space, face: &WeldFace<'_>, u: &[V3]) -> [V3; 6] {
+pub fn jumps<L>(space: &Tet10Space, face: &InterfaceFace<'_, L>, u: &[V3]) -> [V3; 6] {
     let a = space.triangle(face.nodes_a);
     let b = face.b.map(|(_, nodes)| space.triangle(nodes));
     std::array::from_fn(|i| vec3::sub(b.map_or([0.0; 3], |b| u[b[i]]), u[a[i]]))
+}
+
+/// The six Bernstein coefficients of a quadratic function with the given values at vertices and
+/// mid-sides of a triangle.
+pub fn coefficients(g: &[V3; 6]) -> impl Iterator<Item = V3> {
+    let edges = FACE_EDGES.iter().enumerate().map(|(e, &[p, q])| {
+        vec3::sub(vec3::scale(2.0, g[3 + e]), vec3::scale(0.5, vec3::add(g[p], g[q])))
+    });
+    g[..3].iter().copied().chain(edges)
 }
 
 /// An upper bound of the mean of `‖g‖` over a triangle, g quadratic with the given values at
@@ -26,10 +35,7 @@ pub fn jumps(space: &Tet10Space, face: &WeldFace<'_>, u: &[V3]) -> [V3; 6] {
 /// Each subdivision applies this to the four triangles that the mid-sides make.
 pub fn mean_norm(g: &[V3; 6], subdivisions: u32) -> f64 {
     if subdivisions == 0 {
-        let edges = FACE_EDGES.iter().enumerate().map(|(e, &[p, q])| {
-            vec3::sub(vec3::scale(2.0, g[3 + e]), vec3::scale(0.5, vec3::add(g[p], g[q])))
-        });
-        return g[..3].iter().copied().chain(edges).map(vec3::norm).sum::<f64>() / 6.0;
+        return coefficients(g).map(vec3::norm).sum::<f64>() / 6.0;
     }
     let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     let middle =

@@ -87,10 +87,14 @@ fn mechanism(
         Some([bodies, ..]) if bodies < LITTLE => {
             // the remaining plastic flow is rounding error and is not drawn
             densities.fill(0.0);
-            "welds and slip on supports dissipate all, the parts do not flow".to_string()
+            "welds and slip between bodies dissipate all, the parts do not flow".to_string()
         }
-        Some([bodies, welds, supports]) => {
-            let others = [(welds, "in welds"), (supports, "by slip on supports")];
+        Some([bodies, welds, supports, ties]) => {
+            let others = [
+                (welds, "in welds"),
+                (supports, "by slip on supports"),
+                (ties, "by slip between bodies"),
+            ];
             format!(
                 "coloured by its dissipation: {}; half of that in the bodies has a density above 1",
                 by_body(model, &densities, bodies, &others)
@@ -135,11 +139,11 @@ fn limiting(share: &[f64], scene: (&AnalysisModel, &[usize], usize), name: &str)
     Some(Ok((pictures, caption)))
 }
 
-/// Shares of bodies, welds and slip on supports in the dissipation of a mechanism; `None` if
-/// nothing dissipates.
-fn shares_of(pass: &LimitPass) -> Option<[f64; 3]> {
+/// Shares of bodies, welds, slip on supports and slip along ties in the dissipation of a mechanism;
+/// `None` if nothing dissipates.
+fn shares_of(pass: &LimitPass) -> Option<[f64; 4]> {
     let c = pass.upper.as_ref()?.certificate();
-    let shares = [&c.dissipation, &c.welds, &c.supports].map(|d| d.iter().sum::<f64>());
+    let shares = [&c.dissipation, &c.welds, &c.supports, &c.ties].map(|d| d.iter().sum::<f64>());
     let total: f64 = shares.iter().sum();
     (total > 0.0).then(|| shares.map(|d| d / total))
 }

@@ -89,3 +89,9 @@ pub fn tangents(n: V3) -> (V3, V3) {
     let t1 = scale(1.0 / norm(t), t);
     (t1, cross(n, t1))
 }
+/// The coordinate axis along which a unit vector points, in either direction; `None` if another
+/// component is more than rounding.
+pub fn axis_of(n: V3) -> Option<usize> {
+    const ROUNDING: f64 = 1e-9;
+    (0..3).find(|&k| (0..3).all(|d| d == k || n[d].abs() <= ROUNDING))
+}

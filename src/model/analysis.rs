@@ -90,6 +90,19 @@ pub struct Weld {
     pub faces: Vec<FacePair>,
 }
 
+/// An interface between two bodies tied together along which the weaker one may slip, in limit
+/// analysis: the upper bound has velocities with jumps along the interface. The bodies still carry
+/// any traction that their own strength permits.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tie {
+    /// The two bodies: `BEAM-PLATE`.
+    pub name: String,
+    /// Largest traction along the interface, k = f_y/√3 of the weaker body \[MPa\].
+    pub strength: f64,
+    /// Its face pairs; the normal of each is along a coordinate axis.
+    pub faces: Vec<FacePair>,
+}
+
 /// Contact with the rigid ground (side B, at rest).
 #[derive(Clone, Debug, PartialEq)]
 pub struct GroundContact {
@@ -220,6 +233,8 @@ pub struct AnalysisModel {
     pub interfaces: Vec<Interface>,
     /// Welds of finite strength.
     pub welds: Vec<Weld>,
+    /// Limit analysis: tied interfaces along which bodies may slip.
+    pub ties: Vec<Tie>,
     /// Contacts with rigid ground.
     pub ground: Vec<GroundContact>,
     /// Shift of the contact cones, fixed during a step of the fixed-point iteration for Coulomb
@@ -254,6 +269,11 @@ impl AnalysisModel {
     /// The faces of all welds, weld by weld, each with the strength of its weld \[MPa\].
     pub fn weld_faces(&self) -> impl Iterator<Item = (f64, &FacePair)> {
         self.welds.iter().flat_map(|w| w.faces.iter().map(|f| (w.strength, f)))
+    }
+
+    /// The faces of all ties, tie by tie, each with the strength of its tie \[MPa\].
+    pub fn tie_faces(&self) -> impl Iterator<Item = (f64, &FacePair)> {
+        self.ties.iter().flat_map(|t| t.faces.iter().map(|f| (t.strength, f)))
     }
 
     /// Elastic stiffness of each body.

@@ -12,6 +12,7 @@ mod motions;
 mod names;
 mod parts;
 mod preload;
+mod ties;
 
 use super::analysis::AnalysisModel;
 use super::file::{ModelFile, Nodes};
@@ -20,6 +21,7 @@ use crate::diag::{Diagnostic, Diagnostics, Place};
 use crate::mesh::split::{TetFace, split};
 use crate::mesh::topology::FaceTable;
 use crate::mesh::{TetMesh, merge, msh};
+use crate::spec::analysis::AnalysisKind;
 use crate::spec::yaml;
 use crate::text_file;
 use faults::Faults;
@@ -134,12 +136,20 @@ pub fn resolve(
     faults.into_result()?;
 
     let open = claims.open.iter().flat_map(|o| o.faces.iter().copied());
-    let open: Vec<[TetFace; 2]> =
-        open.chain(cuts.iter().flat_map(|c| c.faces.iter().copied())).collect();
+    let tied = match file.analysis {
+        AnalysisKind::Limit => ties::ties(&mesh, &table, &claims, &materials, &body_material),
+        _ => Vec::new(),
+    };
+    let open: Vec<[TetFace; 2]> = open
+        .chain(cuts.iter().flat_map(|c| c.faces.iter().copied()))
+        .chain(tied.iter().flat_map(|t| t.faces.iter().copied()))
+        .collect();
     let mut cut = split(&mesh, &table, &open);
-    let of_cuts = cut.pairs.split_off(claims.open.iter().map(|o| o.faces.len()).sum());
+    let mut of_cuts = cut.pairs.split_off(claims.open.iter().map(|o| o.faces.len()).sum());
+    let of_ties = of_cuts.split_off(cuts.iter().map(|c| c.faces.len()).sum());
     let (interfaces, welds) = interfaces::pairs(&claims, &cut.pairs);
-    preload::join_parts(&mut cut, &of_cuts);
+    parts::join(&mut cut, of_cuts.iter().chain(&of_ties));
+    let ties = ties::opened(tied, &of_ties);
     let preload = preload::preloads(cuts, &of_cuts, &cut)?;
     let parts = parts::names(&cut, &mut notes);
     if surface_loads.is_empty()
@@ -160,6 +170,7 @@ pub fn resolve(
         parts,
         interfaces,
         welds,
+        ties,
         ground,
         shift: ConeShift::default(),
         supports,

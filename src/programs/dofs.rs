@@ -12,7 +12,8 @@ pub struct DofMap {
     terms: Vec<(u32, f64)>,
     /// Number of the program's unknowns.
     pub n: usize,
-    /// The first `plain` unknowns are single full unknowns; then come motions of rigid faces.
+    /// The first `plain` unknowns are full unknowns, of one point or of the points of a tie; then
+    /// come motions of rigid faces.
     pub plain: usize,
     /// Number of closures of preloaded cuts; they are the last unknowns.
     pub closures: usize,

@@ -25,6 +25,7 @@ use crate::programs::dofs::DofMap;
 use crate::programs::loads::{BodyForceNodes, kinematic_forces};
 use crate::programs::rigid_motions::{self, RigidMotions, RigidPieces};
 use crate::programs::slip_face::{SlipFace, slip_faces};
+use crate::programs::tied_points::{self, TiedPoints};
 use crate::programs::yielding_elements::append;
 use crate::programs::{cuts, free_modes, weld_face};
 use std::collections::BTreeMap;
@@ -76,10 +77,12 @@ pub struct Kinematic {
     pub rigid: Vec<RigidMotions>,
     /// The held faces on which bodies may slip, in limit analysis.
     pub slips: Vec<SlipFace>,
+    /// The points on ties, along which bodies may slip in limit analysis.
+    tied: TiedPoints,
     /// The control point of each contact cone; the cones of yielding elements follow.
     pub points: Vec<ControlPoint>,
-    /// First own unknown of each element, then of each weld face and each slip face; own unknowns
-    /// follow those that elements share. Empty without plasticity and welds.
+    /// First own unknown of each element, then of each weld face, slip face and tie face; own
+    /// unknowns follow those that elements share. Empty without plasticity and welds.
     pub own: Vec<usize>,
     /// True for tets whose element yields and is split; empty without plasticity.
     pub split: Vec<bool>,
@@ -139,12 +142,11 @@ impl Kinematic {
             Kind::Limit(_) | Kind::AroundRigidBodies => RigidPieces::unyielding(model),
             Kind::Elastic | Kind::Hencky(_) => RigidPieces::default(),
         };
-        let slips = match kind {
-            Kind::Limit(_) | Kind::AroundRigidBodies => slip_faces(model),
-            Kind::Elastic | Kind::Hencky(_) => Vec::new(),
-        };
+        let slipping = matches!(kind, Kind::Limit(_) | Kind::AroundRigidBodies);
+        let slips = if slipping { slip_faces(model) } else { Vec::new() };
         let points = Points { model, space: &space };
-        let (map, rigid) = rigid_motions::number_unknowns(model, &points, &pieces, &slips)?;
+        let tied = TiedPoints::new(model, &points, slipping);
+        let (map, rigid) = rigid_motions::number_unknowns(model, &points, &pieces, &slips, &tied)?;
         let materials = model.stiffnesses();
         let radii = model.yield_radii();
         // yield radius and kind of element of each tet that may flow
@@ -254,10 +256,16 @@ impl Kinematic {
         let tets = model.mesh.tets.len();
         if yields || !weld_faces.is_empty() {
             split = (0..tets).map(|e| matches!(flow_of(e), Some((_, Flow::Split)))).collect();
-            // the slip faces have elements in limit analysis only
+            // slips have elements in limit analysis only
             let slips = if limit { &slips[..] } else { &[] };
+            let ties: Vec<_> = model.tie_faces().filter(|_| limit).collect();
             let faces = tets + weld_faces.len();
-            own = append(&mut program, faces + slips.len(), |e| {
+            own = append(&mut program, faces + slips.len() + ties.len(), |e| {
+                if let Some(tie) = e.checked_sub(faces + slips.len()) {
+                    let (strength, face) = ties[tie];
+                    let jumps = tied_points::jumps(model, &space, &tied, face, true);
+                    return Ok(weld_face::element(&map, strength, &jumps));
+                }
                 if let Some(slip) = e.checked_sub(faces) {
                     let slip = &slips[slip];
                     let jumps = slip.jumps(model, &space, true);
@@ -278,7 +286,7 @@ impl Kinematic {
         if limit {
             program.add_load_factor(working_live_loads(forces_of(Loads::LIVE))?);
         }
-        Ok(Self { program, space, map, rigid, slips, points, own, split })
+        Ok(Self { program, space, map, rigid, slips, tied, points, own, split })
     }
 }
 
@@ -298,11 +306,14 @@ impl Kinematic {
         )
     }
 
-    /// The Bernstein coefficients of the held tangential velocity on every slip face as rows on the
-    /// shared unknowns, three rows each.
+    /// The Bernstein coefficients of the held tangential velocity on every slip face and of the
+    /// tangential jump on every tie face as rows on the shared unknowns, three rows each.
     pub fn slip_rows(&self, model: &AnalysisModel) -> Csr {
-        let jumps = self.slips.iter().flat_map(|s| s.jumps(model, &self.space, false));
-        weld_face::rows(&self.map, jumps)
+        let held = self.slips.iter().flat_map(|s| s.jumps(model, &self.space, false));
+        let ties = model
+            .tie_faces()
+            .flat_map(|(_, f)| tied_points::jumps(model, &self.space, &self.tied, f, false));
+        weld_face::rows(&self.map, held.chain(ties))
     }
 
     /// Loads on the shared unknowns in limit analysis \[N\]; their product with velocities is the

@@ -20,6 +20,7 @@ pub mod rigid_motions;
 pub mod slip_face;
 pub mod static_form;
 pub mod super_elements;
+pub mod tied_points;
 pub mod weld_face;
 pub mod yielding_elements;
 

@@ -15,6 +15,7 @@ use crate::programs::constraints::FacePoints;
 use crate::programs::cuts;
 use crate::programs::dofs::DofMap;
 use crate::programs::slip_face::{HeldPoints, SlipFace};
+use crate::programs::tied_points::TiedPoints;
 use std::collections::BTreeMap;
 
 /// Displacements of unit motions below this are rounding of the null space and count as zero.
@@ -120,12 +121,13 @@ fn claims(
     model: &AnalysisModel,
     points: &impl FacePoints,
     pieces: &RigidPieces,
+    tied: &TiedPoints,
 ) -> Result<Claims, ModelError> {
     let mut claims = Claims::new();
     for (r, rigid) in model.rigid.iter().enumerate() {
         for p in rigid.faces.iter().flat_map(|f| points.points(f)) {
             for d in (0..3).filter(|&d| rigid.components[d]) {
-                let owners = claims.entry((p, d)).or_default();
+                let owners = claims.entry((tied.first(p, d), d)).or_default();
                 if let Some(other) = owners.iter().find(|o| **o != r) {
                     return Err(ModelError::RigidFacesTouch(
                         model.rigid[*other].name.clone(),
@@ -143,7 +145,7 @@ fn claims(
         let Some(piece) = piece.map(|p| model.rigid.len() + p) else { continue };
         for p in points.tet_points(e) {
             for d in 0..3 {
-                let owners = claims.entry((p, d)).or_default();
+                let owners = claims.entry((tied.first(p, d), d)).or_default();
                 if !owners.contains(&piece) {
                     owners.push(piece);
                 }
@@ -179,22 +181,27 @@ fn movers(
 
 /// Numbers the unknowns of a program: three per point, less the held ones, plus the motions of
 /// rigid faces and pieces, plus the closures of preloaded cuts. Supports hold only the normal
-/// direction of `slips`.
+/// direction of `slips`; `tied` points share unknowns.
 pub fn number_unknowns(
     model: &AnalysisModel,
     points: &impl FacePoints,
     pieces: &RigidPieces,
     slips: &[SlipFace],
+    tied: &TiedPoints,
 ) -> Result<(DofMap, Vec<RigidMotions>), ModelError> {
-    let claims = claims(model, points, pieces)?;
-    let moved = |p| (0..3).any(|d| claims.contains_key(&(p, d)));
-    let HeldPoints { mut fixed, oblique } = HeldPoints::new(model, points, slips, moved);
+    let claims = claims(model, points, pieces, tied)?;
+    let moved = |p| (0..3).any(|d| claims.contains_key(&(tied.first(p, d), d)));
+    let glued = |p| moved(p) || tied.contains(p);
+    let HeldPoints { mut fixed, oblique } = HeldPoints::new(model, points, slips, glued);
+    for p in (0..points.count()).filter(|p| tied.contains(*p)) {
+        (0..3).for_each(|d| fixed[tied.first(p, d)][d] |= fixed[p][d]);
+    }
     let followers = cuts::followers(model, points, &mut fixed, moved)?;
     let mut combinations: Vec<Vec<(u32, f64)>> = vec![Vec::new(); 3 * points.count()];
     let mut block = Vec::new();
     for p in (0..points.count()).filter(|p| !followers.contains_key(p)) {
         let oblique = oblique.get(&p);
-        for d in 0..3 {
+        for d in (0..3).filter(|&d| tied.first(p, d) == p) {
             let free = !fixed[p][d] && !claims.contains_key(&(p, d));
             if free && oblique.is_none_or(|v| v[d][d] == 1.0) {
                 let k = block.len() as u32;
@@ -236,6 +243,11 @@ pub fn number_unknowns(
     }
     let first = block.len();
     cuts::follow(model, &followers, first, &mut combinations);
+    for p in (0..points.count()).filter(|p| tied.contains(*p)) {
+        for d in (0..3).filter(|&d| tied.first(p, d) != p) {
+            combinations[3 * p + d] = combinations[3 * tied.first(p, d) + d].clone();
+        }
+    }
     // the cuts have no faces in limit analysis, so there are no closures
     let closures = if followers.is_empty() { 0 } else { model.preload.len() };
     block.extend((0..closures).map(|i| rigid_block + (groups + i) as u32));

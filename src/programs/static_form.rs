@@ -26,6 +26,7 @@ use crate::programs::dofs::DofMap;
 use crate::programs::loads::static_forces;
 use crate::programs::rigid_motions::{self, RigidMotions, RigidPieces};
 use crate::programs::super_elements::SuperElements;
+use crate::programs::tied_points::TiedPoints;
 use crate::programs::weld_face::{self, Jump};
 use crate::programs::yielding_elements::append;
 use crate::programs::{cuts, free_modes};
@@ -144,7 +145,8 @@ impl<'a> Static<'a> {
         let elements = SuperElements::new(model).under(counted);
         let pieces = if limit { RigidPieces::unyielding(model) } else { RigidPieces::default() };
         let points = Points { mesh: &model.mesh, faces: &elements.faces };
-        let (map, rigid) = rigid_motions::number_unknowns(model, &points, &pieces, &[])?;
+        let tied = TiedPoints::new(model, &points, false);
+        let (map, rigid) = rigid_motions::number_unknowns(model, &points, &pieces, &[], &tied)?;
         let radius = |e: usize| radii[e];
         let elastic: Vec<usize> =
             (0..model.mesh.tets.len()).filter(|&e| !limit && radius(e).is_none()).collect();

@@ -3,11 +3,11 @@
 //! The projection adds the change d of least elastic energy after which velocities keep the volume
 //! of all bodies that yield and leave rigid bodies without strain: `min ½ dᵀK̃ d` with
 //! `C (u + d) = 0`. K̃ is the elastic stiffness, with springs across contacts and welds and along
-//! slip faces; C holds the weighted equations: one volume row per split element, four per plain
-//! one, the strain of rigid bodies. With `S = K̃ + γ CᵀC` (augmented Lagrangian) the multipliers y
-//! solve `C S⁻¹Cᵀ y = C u`. That matrix is nearly a multiple of the identity, so that conjugate
-//! gradients need few steps; `d = −S⁻¹Cᵀ y`. The same system opens contacts that remain violated,
-//! by flows that keep the volume.
+//! slip faces and ties; C holds the weighted equations: one volume row per split element, four
+//! per plain one, the strain of rigid bodies. With `S = K̃ + γ CᵀC` (augmented Lagrangian) the
+//! multipliers y solve `C S⁻¹Cᵀ y = C u`. That matrix is nearly a multiple of the identity, so that
+//! conjugate gradients need few steps; `d = −S⁻¹Cᵀ y`. The same system opens contacts that remain
+//! violated, by flows that keep the volume.
 
 use crate::certify::fields::DisplacementField;
 use crate::certify::limit_certificate::{UpperCertificate, certify_upper};
@@ -30,8 +30,8 @@ use rayon::prelude::*;
 
 /// Weight γ of the equations against the stiffness.
 const AUGMENTED: f64 = 1e6;
-/// Weight of the springs across contacts and welds and along slip faces, in mean diagonal entries
-/// of the stiffness.
+/// Weight of the springs across contacts and welds and along slip faces and ties, in mean diagonal
+/// entries of the stiffness.
 const SPRING: f64 = 1e4;
 /// Stiffness against the motion of a rigid body, relative to its own elastic stiffness: small but
 /// not zero.
@@ -166,7 +166,7 @@ impl<'a> Projector<'a> {
         if !model.welds.is_empty() {
             system = plus_rows(&system, &kinematic.weld_rows(model), |_| spring);
         }
-        if !kinematic.slips.is_empty() {
+        if !(kinematic.slips.is_empty() && model.ties.is_empty()) {
             system = plus_rows(&system, &kinematic.slip_rows(model), |_| spring);
         }
         if !stiffness.is_empty() {

@@ -6,7 +6,7 @@
 //! keep the field in equilibrium with any model. Tractions are continuous, so that c is one
 //! constant in each connected piece of a body. Least squares on the faces find these constants.
 
-use crate::certify::faces::{FaceKey, FaceRole, contact_faces, roles, weld_faces};
+use crate::certify::faces::{FaceKey, FaceRole, contact_faces, roles, tie_faces, weld_faces};
 use crate::certify::fields::StressField;
 use crate::certify::measures::largest;
 use crate::certify::unlimited::{Unlimited, UnlimitedCertificate, certify_unlimited};
@@ -137,6 +137,14 @@ fn pressures(model: &AnalysisModel) -> StressField {
         for x in f.corners(model) {
             let load = vec3::dot(role.map_or([0.0; 3], |r| r.load(x, n)), n);
             normal.add(area, &[(piece[a], 1.0), (piece[b], -1.0)], own(b, x) - own(a, x) - load);
+        }
+    }
+    for f in tie_faces(model) {
+        let Some((b, _)) = f.b else { continue };
+        let (_, area) = f.normal(model);
+        let (a, b) = (f.a.tet as usize, b.tet as usize);
+        for x in f.corners(model) {
+            normal.add(area, &[(piece[a], 1.0), (piece[b], -1.0)], own(b, x) - own(a, x));
         }
     }
     // a weld may carry no multiple of any traction: no pressure on either side, except for loads on

@@ -99,6 +99,10 @@ pub struct CaseResult {
     /// Limit analysis: each support along whose faces the mechanism of the upper bound slips.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub support_slip: Vec<SupportSlip>,
+    /// Limit analysis: each pair of bodies tied together along whose common faces the mechanism of
+    /// the upper bound slips.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub tie_slip: Vec<TieSlip>,
     /// Largest contact pressure on the last mesh, from both sides: estimates, not bounds.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub peak_contact_pressure: Option<PeakPressure>,
@@ -145,6 +149,15 @@ pub struct WeldUse {
 pub struct SupportSlip {
     /// Name of the support's faces.
     pub support: String,
+    /// Its share in the dissipation of the mechanism, a fraction.
+    pub share: f64,
+}
+
+/// Slip along the common faces of two bodies tied together.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct TieSlip {
+    /// The two bodies: `BEAM-PLATE`.
+    pub tie: String,
     /// Its share in the dissipation of the mechanism, a fraction.
     pub share: f64,
 }

@@ -349,6 +349,7 @@ pub fn case_result(
             pass.upper.as_ref().map_or(Vec::new(), |b| b.certificate().welds.clone()),
         ),
         support_slip: Vec::new(),
+        tie_slip: Vec::new(),
         peak_contact_pressure: (peak != PeakPressure::default()).then_some(peak),
         warnings,
     }

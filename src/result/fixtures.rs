@@ -41,6 +41,7 @@ pub(crate) fn case() -> CaseResult {
         limiting_part: None,
         welds: vec![],
         support_slip: vec![],
+        tie_slip: vec![],
         peak_contact_pressure: None,
         warnings: vec![],
     }

@@ -10,7 +10,7 @@ use crate::result::bounds::{CaseBounds, FactorLimit};
 use crate::result::case_result::CaseResult;
 use crate::result::case_result::PartShare;
 use crate::result::case_result::PeakPressure;
-use crate::result::case_result::SupportSlip;
+use crate::result::case_result::{SupportSlip, TieSlip};
 use crate::result::certificate::Certificate;
 use crate::result::energy_case::estimate_warning;
 use crate::result::energy_case::only_load;
@@ -21,11 +21,11 @@ use crate::result::energy_case::weld_uses;
 use crate::result::history::HistoryRow;
 use crate::result::quantity::{FrictionModel, Quantity, RawBracket, Upper};
 
-use crate::certify::{FactorBracket, LowerFactor, UpperFactor, slip, welds};
+use crate::certify::{FactorBracket, LowerFactor, UpperFactor, slip, ties, welds};
 use crate::elements::space::Tet10Space;
 use crate::math::Sum;
 use crate::model::AnalysisModel;
-use crate::model::analysis::Support;
+use crate::model::analysis::{Support, Tie};
 use crate::solve::SolveStatus;
 
 /// The lower bound, the bracket and the static program of the problem that the user posed. Under
@@ -160,6 +160,8 @@ struct Shares {
     welds: Vec<f64>,
     /// Supports along which it slips.
     supports: Vec<SupportSlip>,
+    /// Ties along which it slips.
+    ties: Vec<TieSlip>,
 }
 
 fn shares(model: &AnalysisModel, velocity: &VelocityField) -> Shares {
@@ -170,18 +172,23 @@ fn shares(model: &AnalysisModel, velocity: &VelocityField) -> Shares {
         bodies[mesh.tet_body[e] as usize].add(density * mesh.volume(e));
     }
     let welds = welds::dissipations(model, &velocity.nodes.u);
-    let supports = slip::dissipations(model, &Tet10Space::new(mesh), &velocity.nodes.u);
-    let interfaces = welds.iter().chain(&supports).copied();
+    let space = Tet10Space::new(mesh);
+    let supports = slip::dissipations(model, &space, &velocity.nodes.u);
+    let ties = ties::dissipations(model, &space, &velocity.nodes.u);
+    let interfaces = welds.iter().chain(&supports).chain(&ties).copied();
     let total = Sum::of(bodies.iter().map(|d| d.value()).chain(interfaces));
     let share = |d: f64| if total > 0.0 { d / total } else { 0.0 };
     let bodies = mesh.bodies.iter().zip(&bodies);
     let bodies = bodies.map(|(name, d)| PartShare { part: name.clone(), share: share(d.value()) });
     let supports = model.supports.iter().zip(supports).filter(|(_, d)| *d > 0.0);
     let slip = |(s, d): (&Support, f64)| SupportSlip { support: s.name.clone(), share: share(d) };
+    let ties = model.ties.iter().zip(ties).filter(|(_, d)| *d > 0.0);
+    let tie = |(t, d): (&Tie, f64)| TieSlip { tie: t.name.clone(), share: share(d) };
     Shares {
         bodies: bodies.collect(),
         welds: welds.into_iter().map(share).collect(),
         supports: supports.map(slip).collect(),
+        ties: ties.map(tie).collect(),
     }
 }
 
@@ -283,6 +290,7 @@ pub fn limit_case_result(
         limiting_part,
         welds: weld_uses(model, used, shares.welds, Vec::new()),
         support_slip: shares.supports,
+        tie_slip: shares.ties,
         peak_contact_pressure: peak.map(|p| PeakPressure { kinematic: None, static_: Some(p) }),
         warnings,
     }

@@ -104,6 +104,7 @@ fn case(name: &str) -> CaseResult {
         limiting_part: None,
         welds: vec![],
         support_slip: vec![],
+        tie_slip: vec![],
         peak_contact_pressure: Some(PeakPressure { kinematic: Some(247.31), static_: Some(268.4) }),
         warnings: vec![],
     }

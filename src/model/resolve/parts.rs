@@ -1,7 +1,24 @@
-//! Names of the parts; a part consists of bodies tied together.
+//! The parts and their names; a part consists of bodies tied together.
 
-use crate::mesh::split::SplitMesh;
+use crate::mesh::split::{OpenPair, SplitMesh};
 use std::collections::BTreeSet;
+
+/// Joins the two sides of faces to one part again: the halves of a bolt at its preloaded cut, whose
+/// relative motion is only the closure, and bodies tied together.
+pub(super) fn join<'a>(split: &mut SplitMesh, pairs: impl Iterator<Item = &'a OpenPair>) {
+    for p in pairs {
+        let [a, b] = [p.a, p.b].map(|f| split.tet_part[f.tet as usize]);
+        if a != b {
+            split.tet_part.iter_mut().filter(|t| **t == a.max(b)).for_each(|t| *t = a.min(b));
+        }
+    }
+    // consecutive numbers, in the order of the first tets as before
+    let mut used = split.tet_part.clone();
+    used.sort_unstable();
+    used.dedup();
+    split.tet_part.iter_mut().for_each(|t| *t = used.partition_point(|part| part < t) as u32);
+    split.parts = used.len();
+}
 
 /// Names such as `PLATE+BEAM`; the pieces of a disconnected body are numbered: `BEAM#1`, `BEAM#2`.
 pub(super) fn names(cut: &SplitMesh, notes: &mut Vec<String>) -> Vec<String> {

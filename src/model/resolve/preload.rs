@@ -235,22 +235,6 @@ fn strength_note(
     }
 }
 
-/// Joins the two halves of every cut to one part again: their relative motion is only the closure.
-pub(super) fn join_parts(split: &mut SplitMesh, pairs: &[OpenPair]) {
-    for p in pairs {
-        let [a, b] = [p.a, p.b].map(|f| split.tet_part[f.tet as usize]);
-        if a != b {
-            split.tet_part.iter_mut().filter(|t| **t == a.max(b)).for_each(|t| *t = a.min(b));
-        }
-    }
-    // consecutive numbers, in the order of the first tets as before
-    let mut used = split.tet_part.clone();
-    used.sort_unstable();
-    used.dedup();
-    split.tet_part.iter_mut().for_each(|t| *t = used.partition_point(|part| part < t) as u32);
-    split.parts = used.len();
-}
-
 /// The preloads after the nodes are split; `pairs` are in the order of the cuts. An error where
 /// something ties both halves together at the rim of a cut.
 pub(super) fn preloads(

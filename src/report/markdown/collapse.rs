@@ -138,18 +138,16 @@ pub(crate) fn mechanism(page: &mut String, case: &CaseResult) {
         parts.extend(
             case.support_slip.iter().map(|s| (format!("slip on support {}", s.support), s.share)),
         );
+        parts.extend(case.tie_slip.iter().map(|s| (format!("slip along {}", s.tie), s.share)));
         parts.sort_by(|a, b| b.1.total_cmp(&a.1));
         let rows =
             parts.into_iter().map(|(name, share)| vec![name, format!("{:.1}", 100.0 * share)]);
-        let of = match (case.welds.is_empty(), case.support_slip.is_empty()) {
-            (true, true) => "body",
-            (false, true) => "body or weld",
-            (true, false) => "body or support",
-            (false, false) => "body, weld or support",
-        };
         table(
             page,
-            &Table { columns: strings([of, "share of the dissipation [%]"]), rows: rows.collect() },
+            &Table {
+                columns: strings(["place", "share of the dissipation [%]"]),
+                rows: rows.collect(),
+            },
         );
     }
     welds(page, case);

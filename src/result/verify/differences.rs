@@ -54,6 +54,12 @@ pub fn derived_differences(claimed: &CaseResult, found: &CaseResult) -> Vec<Stri
             .iter()
             .zip(&found.support_slip)
             .all(|(a, b)| a.support == b.support && near(Some(a.share), Some(b.share)));
+    let tie_slip = claimed.tie_slip.len() == found.tie_slip.len()
+        && claimed
+            .tie_slip
+            .iter()
+            .zip(&found.tie_slip)
+            .all(|(a, b)| a.tie == b.tie && near(Some(a.share), Some(b.share)));
     let yielding = claimed.yielding.len() == found.yielding.len()
         && claimed.yielding.iter().zip(&found.yielding).all(|(a, b)| {
             a.part == b.part
@@ -82,6 +88,7 @@ pub fn derived_differences(claimed: &CaseResult, found: &CaseResult) -> Vec<Stri
         ("dissipation", shares),
         ("welds", welds),
         ("support_slip", support_slip),
+        ("tie_slip", tie_slip),
         (
             "load_displacement_at_least",
             near(claimed.load_displacement_at_least, found.load_displacement_at_least),
