@@ -54,6 +54,8 @@ missing_packages() {
     command -v cc >/dev/null 2>&1 || echo build-essential
     command -v python3 >/dev/null 2>&1 || echo python3
     [ -n "$(find_python)" ] || echo python3-venv
+    # the tests read what report.pdf says
+    [ "$test" = no ] || command -v pdftotext >/dev/null 2>&1 || echo poppler-utils
     # a mesher that runs has all its libraries, wherever they are
     if mesher_runs; then return; fi
     cache=$(ldconfig -p 2>/dev/null || true)

@@ -1,10 +1,13 @@
-//! `bracket check`, `bracket watch` and the verdict by code of `bracket run`, as the compiled
-//! program.
+//! `bracket check`, `bracket watch`, the verdict by code of `bracket run` and the printed report,
+//! as the compiled program.
 
 #[path = "cli/bench.rs"]
 mod bench;
 #[path = "cli/check.rs"]
 mod check;
+#[cfg(feature = "pdf")]
+#[path = "cli/printed_report.rs"]
+mod printed_report;
 
 use bench::Bench;
 

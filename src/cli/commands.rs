@@ -2,7 +2,8 @@
 
 use super::common::{CommandResult, Common};
 use super::{
-    analyse, batch, catalog, check, doctor, mesh, new, run, schema, study, templates, verify, watch,
+    analyse, batch, catalog, check, doctor, mesh, new, report, run, schema, study, templates,
+    verify, watch,
 };
 use clap::{Parser, Subcommand};
 
@@ -35,6 +36,8 @@ pub enum Command {
     Mesh(mesh::MeshArgs),
     /// Speed against error: meshes and solvers side by side.
     Study(study::StudyArgs),
+    /// Print the report of a finished result as PDF.
+    Report(report::ReportArgs),
     /// Recompute the certificate of a finished result.
     Verify(verify::VerifyArgs),
     /// Catalogues of joints: every row or combination checked and analysed.
@@ -59,6 +62,7 @@ pub fn dispatch(cli: &Cli) -> CommandResult {
         Command::Watch(args) => watch::run(args, &cli.common),
         Command::Mesh(args) => mesh::run(args, &cli.common),
         Command::Study(args) => study::run(args, &cli.common),
+        Command::Report(args) => report::run(args, &cli.common),
         Command::Verify(args) => verify::run(args, &cli.common),
         Command::Batch(args) => batch::run(args, &cli.common),
         Command::Catalog(args) => catalog::run(args, &cli.common),

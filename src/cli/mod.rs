@@ -11,6 +11,7 @@ pub mod common;
 pub mod doctor;
 pub mod mesh;
 pub mod new;
+pub mod report;
 pub mod run;
 pub mod schema;
 pub mod study;

@@ -11,7 +11,9 @@ use crate::report::html;
 use crate::report::markdown::compose::report_markdown;
 use crate::report::markdown::report_data::ModelTraits;
 use crate::report::markdown::report_data::PictureRef;
-use crate::report::markdown::report_data::ReportData;
+use crate::report::markdown::report_data::{GivenActions, REPORT_DATA_FILE, ReportData};
+use crate::report::printed;
+use crate::report::sheet::{Extent, PDF_FILE, Paper};
 use crate::result::folder::ResultFolder;
 use crate::result::result_file::CaseResult;
 use crate::result::result_file::HistoryRow;
@@ -56,7 +58,7 @@ pub fn finish(
     judge_result(&mut result, &mut context, &analyses);
     let status = exit_status(&result, &analyses);
     let interrupted = analyses.interrupted;
-    let result = write(result, context, analyses, &folder)?;
+    let result = write(result, context, analyses, &folder, log)?;
     for c in &result.cases {
         log.line(answer(c));
     }
@@ -85,11 +87,14 @@ fn write(
     context: RunContext,
     analyses: Analyses,
     folder: &ResultFolder,
+    log: &Log,
 ) -> Result<ResultFile, Diagnostics> {
     let json = result.to_json().map_err(Diagnostic::from)?;
     for (drawing, text) in &context.drawings {
         folder.write(&drawing.file, text.as_bytes())?;
     }
+    let given = context.demands.into_iter();
+    let given = given.map(|d| GivenActions { case: d.case, actions: d.actions }).collect();
     let data = ReportData {
         project: context.project,
         result,
@@ -97,6 +102,7 @@ fn write(
         input_text: context.input_text,
         input_read: context.input_read,
         resolved: context.resolved,
+        demands: given,
         catalogue_rows: context.catalogue_rows,
         drawings: context.drawings.into_iter().map(|d| d.0).collect(),
         schedule: context.schedule,
@@ -107,9 +113,17 @@ fn write(
         notes: analyses.notes,
     };
     folder.write("result.json", json.as_bytes())?;
+    folder.write(REPORT_DATA_FILE, data.to_json()?.as_bytes())?;
     let report = report_markdown(&data);
     folder.write("report.md", report.as_bytes())?;
     html::write(folder, &report)?;
+    // the bounds do not depend on it: a report that cannot be set is no reason to lose them
+    if cfg!(feature = "pdf") {
+        match printed::pdf(&data, folder.path(), Extent::Short, Paper::A4) {
+            Ok(bytes) => folder.write(PDF_FILE, &bytes)?,
+            Err(fault) => log.line(format!("warning: {}", fault.message)),
+        }
+    }
     Ok(data.result)
 }
 
@@ -163,7 +177,10 @@ fn judge_result(result: &mut ResultFile, context: &mut RunContext, analyses: &An
             }
             None => Verdict::worst(entries().map(by_analysis)),
         };
-        let brittle = limit.and_then(|c| c.demand.as_ref()).is_some_and(|d| d.brittle.is_some());
+        // only the absence of a rule keeps a lower bound above the load from deciding
+        let carried = |c: &CaseResult| c.is_strict() && c.factor_bounds().0 >= Some(1.0);
+        let no_rule = |c: &CaseResult| c.demand.as_ref().is_some_and(|d| d.brittle.is_some());
+        let brittle = limit.is_some_and(|c| carried(c) && no_rule(c));
         Analysed {
             case: case.clone(),
             verdict,

@@ -1,6 +1,6 @@
 //! The context of a connection spec: title block, resolved values, catalogue rows, drawings.
 
-use crate::assembly::assembly::PartRole;
+use crate::assembly::assembly::{PartMaterial, PartRole};
 use crate::checks::check::number;
 use crate::checks::end_plate::{moment_axial, parts_list, stocked_length};
 use crate::checks::{HandChecks, hand_checks};
@@ -119,6 +119,15 @@ fn drawings(input: &SpecFile) -> Vec<(PictureRef, String)> {
 
 /// The values of the joint with their origin.
 fn resolved_values(input: &SpecFile) -> Vec<ResolvedValue> {
+    let strength = |(name, m): (&String, &PartMaterial)| {
+        Some(ResolvedValue {
+            name: format!("materials.{name}.fy"),
+            value: number(m.fy?),
+            unit: "MPa".into(),
+            origin: "yield strength in the analyses".into(),
+        })
+    };
+    let strengths = input.joint.assembly.materials.iter().filter_map(strength);
     input
         .joint
         .resolved
@@ -136,6 +145,7 @@ fn resolved_values(input: &SpecFile) -> Vec<ResolvedValue> {
             };
             ResolvedValue { name: r.name.clone(), value: value.into(), unit: unit.into(), origin }
         })
+        .chain(strengths)
         .collect()
 }
 

@@ -5,4 +5,9 @@ pub mod draw;
 pub mod figures;
 pub mod html;
 pub mod markdown;
+#[cfg(feature = "pdf")]
+pub mod pdf;
+pub mod printed;
+pub mod sheet;
 pub mod study;
+pub mod summary;

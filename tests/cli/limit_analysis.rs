@@ -120,6 +120,15 @@ fn a_bar_collapses_where_it_must() {
     ] {
         assert!(report.contains(words), "lacks {words}\n{report}");
     }
+    if cfg!(feature = "pdf") {
+        let pdf = bench.path().join("bar/report.pdf");
+        let run = std::process::Command::new("pdftotext").arg(pdf).arg("-").output();
+        let text = run.expect("pdftotext, of the package poppler-utils").stdout;
+        let text = String::from_utf8_lossy(&text).split_whitespace().collect::<Vec<_>>().join(" ");
+        for words in ["load factor at collapse lies between 2.3499", "≥ 2.34", "≤ 2.3"] {
+            assert!(text.contains(words), "lacks {words}\n{text}");
+        }
+    }
     assert!(bench.path().join("bar/mechanism_bar.png").is_file());
     assert!(bench.path().join("bar/limiting_bar.png").is_file());
     let grid = |kind: &str| {

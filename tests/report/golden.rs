@@ -213,6 +213,7 @@ fn data() -> ReportData {
             unit: "mm".into(),
             origin: "computed: hole = shank".into(),
         }],
+        demands: vec![],
         catalogue_rows: vec![CatalogueRow {
             own: false,
             kind: "profile".into(),

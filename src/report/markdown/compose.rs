@@ -23,7 +23,7 @@ pub fn report_markdown(data: &ReportData) -> String {
     verdict::verdict(&mut page, &data.result);
     hand_checks::failed(&mut page, &data.result.checks);
     summary::table_of_checks(&mut page, &data.result);
-    demand::demands(&mut page, &data.result);
+    demand::demands(&mut page, &data.result, &data.demands);
     for case in &data.result.cases {
         answer(&mut page, case, data);
         component_method::lines(&mut page, case);

@@ -2,13 +2,13 @@
 
 use crate::report::figures::{Rounding, bracket, significant};
 use crate::report::markdown::markup::{inline, strings, table};
-use crate::report::markdown::report_data::Table;
-use crate::result::demand::Demand;
+use crate::report::markdown::report_data::{GivenActions, Table};
+use crate::result::demand::{Demand, EndAction};
 use crate::result::result_file::CaseResult;
 use crate::result::result_file::ResultFile;
 
 /// Verdicts and capacities, one row per case and one row per action; empty without a demand.
-pub(crate) fn demands(page: &mut String, result: &ResultFile) {
+pub(crate) fn demands(page: &mut String, result: &ResultFile, given: &[GivenActions]) {
     let judged: Vec<(&CaseResult, &Demand)> =
         result.cases.iter().filter_map(|c| Some((c, c.demand.as_ref()?))).collect();
     if judged.len() > 1 {
@@ -27,48 +27,62 @@ pub(crate) fn demands(page: &mut String, result: &ResultFile) {
             },
         );
     }
+    let of_ends = actions(result, given);
+    if !of_ends.rows.is_empty() {
+        table(page, &of_ends);
+    }
+}
+
+/// The actions at member ends, with what the joint carries of them; of cases without an analysis
+/// those that are `given`.
+pub(crate) fn actions(result: &ResultFile, given: &[GivenActions]) -> Table {
     let mut rows = Vec::new();
-    for (case, demand) in &judged {
-        let (lower, upper) = case.factor_bounds();
-        for a in &demand.actions {
-            let (value, unit) = a.value.shown();
-            let size = |factor: f64, rounding| {
-                let sign = if value < 0.0 { "−" } else { "" };
-                format!("{sign}{}", significant(factor * value.abs(), 3, rounding))
-            };
-            let (low, high) = match (lower, upper) {
-                (Some(l), Some(u)) if a.factored && value != 0.0 => {
-                    let (l, u) =
-                        bracket((l * value.abs()).next_down(), (u * value.abs()).next_up(), 3);
-                    let sign = if value < 0.0 { "−" } else { "" };
-                    (format!("{sign}{l}"), format!("{sign}{u}"))
-                }
-                _ if !a.factored => ("fixed".into(), "fixed".into()),
-                // words state whether a single bound is a lower or an upper one
-                (Some(l), None) if value != 0.0 => {
-                    (format!("at least {}", size(l.next_down(), Rounding::Down)), "–".into())
-                }
-                (None, Some(u)) if value != 0.0 => {
-                    ("–".into(), format!("at most {}", size(u.next_up(), Rounding::Up)))
-                }
-                _ => ("–".into(), "–".into()),
-            };
-            let place = format!("{} at {}", a.end, a.at);
-            rows.push(vec![
-                inline(&case.name),
-                inline(&place),
-                a.action.clone(),
-                format!("{} {unit}", (1e9 * value).round() / 1e9),
-                low,
-                high,
-            ]);
+    let judged: Vec<&CaseResult> = result.cases.iter().filter(|c| c.demand.is_some()).collect();
+    for case in &judged {
+        let bounds = case.factor_bounds();
+        let actions = case.demand.iter().flat_map(|d| &d.actions);
+        rows.extend(actions.map(|a| action_row(&case.name, a, bounds)));
+    }
+    for g in given.iter().filter(|g| judged.iter().all(|c| c.name != g.case)) {
+        rows.extend(g.actions.iter().map(|a| action_row(&g.case, a, (None, None))));
+    }
+    let columns =
+        ["load case", "member end", "action", "given", "carried at least", "carried at most"];
+    let mut columns = strings(columns);
+    // without a bound the last two columns say nothing
+    if rows.iter().all(|r| r[4..].iter().all(|c| c == "–")) {
+        columns.truncate(4);
+        rows.iter_mut().for_each(|r| r.truncate(4));
+    }
+    Table { columns, rows }
+}
+
+fn action_row(
+    case: &str,
+    a: &EndAction,
+    (lower, upper): (Option<f64>, Option<f64>),
+) -> Vec<String> {
+    let (value, unit) = a.value.shown();
+    let sign = if value < 0.0 { "−" } else { "" };
+    let size =
+        |factor: f64, rounding| format!("{sign}{}", significant(factor * value.abs(), 3, rounding));
+    let (low, high) = match (lower, upper) {
+        (Some(l), Some(u)) if a.factored && value != 0.0 => {
+            let (l, u) = bracket((l * value.abs()).next_down(), (u * value.abs()).next_up(), 3);
+            (format!("{sign}{l}"), format!("{sign}{u}"))
         }
-    }
-    if !rows.is_empty() {
-        let columns =
-            ["load case", "member end", "action", "given", "carried at least", "carried at most"];
-        table(page, &Table { columns: strings(columns), rows });
-    }
+        _ if !a.factored => ("fixed".into(), "fixed".into()),
+        // words state whether a single bound is a lower or an upper one
+        (Some(l), None) if value != 0.0 => {
+            (format!("at least {}", size(l.next_down(), Rounding::Down)), "–".into())
+        }
+        (None, Some(u)) if value != 0.0 => {
+            ("–".into(), format!("at most {}", size(u.next_up(), Rounding::Up)))
+        }
+        _ => ("–".into(), "–".into()),
+    };
+    let given = format!("{} {unit}", (1e9 * value).round() / 1e9);
+    vec![case.into(), format!("{} at {}", a.end, a.at), a.action.clone(), given, low, high]
 }
 
 #[cfg(test)]
@@ -76,7 +90,7 @@ mod tests {
     use super::*;
     use crate::checks::HandChecks;
     use crate::checks::verdict::Verdict;
-    use crate::result::demand::{ActionValue, EndAction};
+    use crate::result::demand::ActionValue;
     use crate::result::fixtures::limit_case;
 
     /// If one bound is missing, the other is reported, and words state its side.
@@ -96,7 +110,7 @@ mod tests {
             let mut result = ResultFile::new("", 1, Verdict::Undecided);
             result.cases.push(case);
             let mut page = String::new();
-            demands(&mut page, &result);
+            demands(&mut page, &result, &[]);
             page
         };
         let page = text(None, Some(1.2));
@@ -110,6 +124,6 @@ mod tests {
             "{page}"
         );
         let page = text(None, None);
-        assert!(page.contains("| – | – |"), "{page}");
+        assert!(page.contains("| given |") && page.lines().all(|l| l.matches('|').count() <= 5));
     }
 }

@@ -1,6 +1,6 @@
 //! The hand checks in the report: one table per topic, with the numbers of every formula.
 
-use crate::checks::{Check, Status, Topic};
+use crate::checks::{Check, Status, Step, Topic};
 use crate::report::figures::{Rounding, significant};
 use crate::report::markdown::markup::{heading, inline, paragraph, strings, table};
 use crate::report::markdown::report_data::Table;
@@ -59,7 +59,8 @@ pub(crate) fn checks(page: &mut String, checks: &[Check]) {
     }
 }
 
-const TOPICS: [(Topic, &str, &str); 8] = [
+/// The topics in the order of the report, each with its title and what a reader must know of it.
+pub(crate) const TOPICS: [(Topic, &str, &str); 8] = [
     (
         Topic::Detailing,
         "Detailing",
@@ -121,9 +122,13 @@ const TOPICS: [(Topic, &str, &str); 8] = [
     ),
 ];
 
+/// An intermediate value with its symbol.
+pub(crate) fn value_of(step: &Step) -> String {
+    format!("{} = {}", step.symbol, step.unit.show(step.value))
+}
+
 fn formula(c: &Check) -> String {
-    let values = c.values.iter().map(|s| format!("{} = {}", s.symbol, s.unit.show(s.value)));
-    let values: Vec<String> = values.collect();
+    let values: Vec<String> = c.values.iter().map(value_of).collect();
     if values.is_empty() {
         c.formula.clone()
     } else {

@@ -37,7 +37,8 @@ fn yaml(page: &mut String, text: &str) {
     page.push_str(&format!("{fence}yaml\n{}\n{fence}\n\n", text.trim_end()));
 }
 
-fn values(page: &mut String, data: &ReportData) {
+/// Resolved values, catalogue rows, notes.
+pub(crate) fn values(page: &mut String, data: &ReportData) {
     if !data.resolved.is_empty() {
         heading(page, "Resolved values");
         let rows = data

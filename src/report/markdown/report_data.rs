@@ -1,16 +1,22 @@
 //! The data of the printed report. They are plain strings and tables, so that the sections do not
 //! depend on the engine.
 
-use crate::result::result_file::ResultFile;
+use crate::checks::verdict::Verdict;
+use crate::diag::{Diagnostic, Diagnostics};
+use crate::result::demand::EndAction;
+use crate::result::result_file::{RESULT_FILE, ResultFile};
+use serde::{Deserialize, Serialize};
+use std::path::Path;
 
 /// All data of the report. The numbers of the analyses come from `result`, the same as in
 /// `result.json`.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ReportData {
     /// Lines of the title block in order, as name (`title`, `number`, `author`, …) and value. The
     /// first line is the heading.
     pub project: Vec<(String, String)>,
-    /// The result.
+    /// The result; `report.json` does not repeat it.
+    #[serde(skip, default = "nothing")]
     pub result: ResultFile,
     /// Name of the input file as the user gave it.
     pub input_name: String,
@@ -20,6 +26,8 @@ pub struct ReportData {
     pub input_read: String,
     /// Values that the program looked up, computed or assumed.
     pub resolved: Vec<ResolvedValue>,
+    /// Actions at member ends, of each load case that is a demand.
+    pub demands: Vec<GivenActions>,
     /// Rows taken from catalogues.
     pub catalogue_rows: Vec<CatalogueRow>,
     /// Drawings of the joint and of its actions.
@@ -38,8 +46,42 @@ pub struct ReportData {
     pub notes: Vec<String>,
 }
 
+/// File of the report's data beside `result.json`.
+pub const REPORT_DATA_FILE: &str = "report.json";
+
+/// In place of the result until it is joined.
+fn nothing() -> ResultFile {
+    ResultFile::new("", 1, Verdict::None)
+}
+
+impl ReportData {
+    /// The text of `report.json`.
+    pub fn to_json(&self) -> Result<String, Diagnostics> {
+        serde_json::to_string_pretty(self).map(|t| t + "\n").map_err(|e| {
+            Diagnostic::environment("report/data", format!("the report's data: {e}")).into()
+        })
+    }
+
+    /// The data of a finished result folder.
+    pub fn read(folder: &Path) -> Result<Self, Diagnostics> {
+        let missing = |file: &str, e: String| {
+            let message = format!("`{file}` of the result cannot be read: {e}");
+            let help = "name the folder of a result that `bracket run` or `bracket check` wrote";
+            Box::new(Diagnostic::input("report/data", message).file(folder.join(file)).help(help))
+        };
+        let read = |file: &str| {
+            std::fs::read_to_string(folder.join(file)).map_err(|e| missing(file, e.to_string()))
+        };
+        let result = ResultFile::from_json(&read(RESULT_FILE)?).map_err(Diagnostic::from)?;
+        let text = read(REPORT_DATA_FILE)?;
+        let data: Self =
+            serde_json::from_str(&text).map_err(|e| missing(REPORT_DATA_FILE, e.to_string()))?;
+        Ok(Self { result, ..data })
+    }
+}
+
 /// A value that the program resolved.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct ResolvedValue {
     /// Its name: `bolts.rows[1]`.
     pub name: String,
@@ -51,8 +93,17 @@ pub struct ResolvedValue {
     pub origin: String,
 }
 
+/// The actions of a load case at member ends.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct GivenActions {
+    /// Name of the load case.
+    pub case: String,
+    /// Its actions.
+    pub actions: Vec<EndAction>,
+}
+
 /// A row taken from a catalogue.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct CatalogueRow {
     /// Kind: `profile`, `bolt`, `steel`.
     pub kind: String,
@@ -67,7 +118,7 @@ pub struct CatalogueRow {
 }
 
 /// A picture of the result folder.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct PictureRef {
     /// File name, relative to the folder.
     pub file: String,
@@ -76,7 +127,7 @@ pub struct PictureRef {
 }
 
 /// A table: titles with units, rows of text.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Table {
     /// Titles, units in brackets.
     pub columns: Vec<String>,
@@ -85,7 +136,7 @@ pub struct Table {
 }
 
 /// Features of the model that the report must mention.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct ModelTraits {
     /// There is contact.
     pub contact: bool,

@@ -5,6 +5,18 @@ use crate::report::markdown::markup::{heading, inline};
 use crate::report::markdown::report_data::ReportData;
 
 pub(crate) fn warnings(page: &mut String, data: &ReportData) {
+    let all = all_warnings(data);
+    if !all.is_empty() {
+        heading(page, "Warnings");
+        for warning in all {
+            page.push_str(&format!("- {}\n", inline(&warning)));
+        }
+        page.push('\n');
+    }
+}
+
+/// All warnings, a sentence each.
+pub(crate) fn all_warnings(data: &ReportData) -> Vec<String> {
     let of_cases = data
         .result
         .cases
@@ -16,13 +28,5 @@ pub(crate) fn warnings(page: &mut String, data: &ReportData) {
         .iter()
         .filter(|c| c.topic == Topic::Detailing && c.status == Status::Warning);
     let detailing = detailing.map(|c| format!("detailing: {}", c.sentence()));
-    let all: Vec<String> =
-        data.result.warnings.iter().cloned().chain(detailing).chain(of_cases).collect();
-    if !all.is_empty() {
-        heading(page, "Warnings");
-        for warning in all {
-            page.push_str(&format!("- {}\n", inline(&warning)));
-        }
-        page.push('\n');
-    }
+    data.result.warnings.iter().cloned().chain(detailing).chain(of_cases).collect()
 }

@@ -1,0 +1,54 @@
+//! `bracket report`: the printed report of a finished result.
+
+use super::common::{CommandResult, Common, Format};
+use crate::diag::ExitStatus;
+use crate::report::console::out;
+use crate::report::markdown::report_data::ReportData;
+use crate::report::printed;
+use crate::report::sheet::{Extent, PDF_FILE, Paper};
+use std::path::PathBuf;
+
+/// Print the report of a finished result as PDF.
+#[derive(Debug, clap::Args)]
+pub struct ReportArgs {
+    /// Result folder of `run`, `check` or `analyse`.
+    #[arg(value_name = "DIR")]
+    pub folder: PathBuf,
+    /// Also checks with their numbers, meshes, certificate, catalogue rows and input.
+    #[arg(long)]
+    pub full: bool,
+    /// Size of the paper.
+    #[arg(long, value_enum, default_value_t)]
+    pub paper: PaperArg,
+    /// File to write instead of `report.pdf` in the folder.
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+}
+
+/// Paper on the command line.
+#[derive(Clone, Copy, Debug, Default, clap::ValueEnum)]
+pub enum PaperArg {
+    /// 210 × 297 mm.
+    #[default]
+    A4,
+    /// 8.5 × 11 inches.
+    Letter,
+}
+
+/// Runs `bracket report`.
+pub fn run(args: &ReportArgs, common: &Common) -> CommandResult {
+    let data = ReportData::read(&args.folder)?;
+    let extent = if args.full { Extent::Full } else { Extent::Short };
+    let paper = match args.paper {
+        PaperArg::A4 => Paper::A4,
+        PaperArg::Letter => Paper::Letter,
+    };
+    let path = args.out.clone().unwrap_or_else(|| args.folder.join(PDF_FILE));
+    let bytes = printed::pdf(&data, &args.folder, extent, paper)?;
+    printed::write(&path, &bytes)?;
+    match common.format {
+        Format::Json => out::json(&serde_json::json!({"report": path, "bytes": bytes.len()}))?,
+        Format::Text => out::text(&format!("report: {}\n", path.display()))?,
+    }
+    Ok(ExitStatus::Ok)
+}

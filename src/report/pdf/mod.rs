@@ -1,0 +1,108 @@
+//! `report.pdf`, set by typst in this process.
+//!
+//! The layout `report.typ` reads the sheet as JSON, so that no text of the user is ever part of its
+//! code. Fonts are embedded. Equal sheets and pictures give equal bytes.
+
+use crate::diag::Diagnostic;
+use crate::report::sheet::{PDF_FILE, Sheet};
+use std::collections::HashMap;
+use std::sync::LazyLock;
+use typst::diag::{FileError, FileResult};
+use typst::foundations::{Bytes, Datetime, Duration, Smart};
+use typst::syntax::{FileId, RootedPath, Source, VirtualPath, VirtualRoot};
+use typst::text::{Font, FontBook};
+use typst::utils::LazyHash;
+use typst::{Library, LibraryExt, World};
+use typst_layout::PagedDocument;
+use typst_pdf::{PdfOptions, PdfStandard, PdfStandards};
+
+/// The layout.
+const LAYOUT: &str = include_str!("report.typ");
+
+/// The embedded fonts and their index.
+static FONTS: LazyLock<(Vec<Font>, LazyHash<FontBook>)> = LazyLock::new(|| {
+    let fonts: Vec<Font> =
+        typst_assets::fonts().flat_map(|data| Font::iter(Bytes::new(data))).collect();
+    let book = LazyHash::new(FontBook::from_fonts(&fonts));
+    (fonts, book)
+});
+
+/// The files that the layout sees: the sheet and the pictures, nothing of the disk.
+struct Files {
+    library: LazyHash<Library>,
+    main: Source,
+    files: HashMap<FileId, Bytes>,
+}
+
+/// The identity of a file beside the layout; `None` for a name that leaves the folder.
+fn id(name: &str) -> Option<FileId> {
+    Some(RootedPath::new(VirtualRoot::Project, VirtualPath::new(name).ok()?).intern())
+}
+
+impl World for Files {
+    fn library(&self) -> &LazyHash<Library> {
+        &self.library
+    }
+    fn book(&self) -> &LazyHash<FontBook> {
+        &FONTS.1
+    }
+    fn main(&self) -> FileId {
+        self.main.id()
+    }
+    fn source(&self, id: FileId) -> FileResult<Source> {
+        if id == self.main.id() { Ok(self.main.clone()) } else { Err(FileError::AccessDenied) }
+    }
+    fn file(&self, id: FileId) -> FileResult<Bytes> {
+        self.files.get(&id).cloned().ok_or(FileError::AccessDenied)
+    }
+    fn font(&self, index: usize) -> Option<Font> {
+        FONTS.0.get(index).cloned()
+    }
+    fn today(&self, _: Option<Duration>) -> Option<Datetime> {
+        None
+    }
+}
+
+/// The bytes of the PDF. `picture` reads a picture of the result folder; pictures that it does not
+/// have are left out. With a date in the sheet the file is PDF/A-2b, unless a text has characters
+/// that the fonts do not have.
+pub fn pdf(
+    sheet: &Sheet,
+    picture: impl Fn(&str) -> Option<Vec<u8>>,
+) -> Result<Vec<u8>, Box<Diagnostic>> {
+    let fault = |what: String| {
+        let message = format!("`{PDF_FILE}` cannot be set: {what}");
+        let help = "the other reports of the folder are complete; please report this message";
+        Box::new(Diagnostic::environment("report/pdf", message).help(help))
+    };
+    let mut sheet = sheet.clone();
+    let mut files = HashMap::new();
+    for pictures in [&mut sheet.drawings, &mut sheet.pictures] {
+        pictures.retain(|p| match (id(&p.file), picture(&p.file)) {
+            (Some(id), Some(bytes)) => files.insert(id, Bytes::new(bytes)).is_none(),
+            _ => false,
+        });
+    }
+    let main = id("report.typ").ok_or_else(|| fault("its layout has no name".into()))?;
+    let data = serde_json::to_vec(&sheet).map_err(|e| fault(e.to_string()))?;
+    files.extend(id("data.json").map(|id| (id, Bytes::new(data))));
+    let library = LazyHash::new(Library::default());
+    let world = Files { library, main: Source::new(main, LAYOUT.into()), files };
+    let first = |faults: &[typst::diag::SourceDiagnostic]| {
+        fault(faults.first().map_or_else(String::new, |d| d.message.to_string()))
+    };
+    let document: PagedDocument = typst::compile(&world).output.map_err(|e| first(&e))?;
+    let options = |standards| PdfOptions {
+        ident: Smart::Custom(sheet.hash.clone()),
+        creator: Smart::Custom(Some(sheet.software.clone())),
+        standards,
+        ..PdfOptions::default()
+    };
+    if sheet.date.is_some()
+        && let Ok(archival) = PdfStandards::new(&[PdfStandard::A_2b])
+        && let Ok(bytes) = typst_pdf::pdf(&document, &options(archival))
+    {
+        return Ok(bytes);
+    }
+    typst_pdf::pdf(&document, &options(PdfStandards::default())).map_err(|e| first(&e))
+}

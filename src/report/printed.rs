@@ -1,0 +1,50 @@
+//! The printed report of a result folder.
+
+use crate::diag::Diagnostic;
+use crate::report::markdown::report_data::ReportData;
+use crate::report::sheet::{Extent, Paper};
+#[cfg(feature = "pdf")]
+use std::path::Component;
+use std::path::Path;
+
+/// The bytes of the PDF, with the pictures in the result folder.
+#[cfg(feature = "pdf")]
+pub fn pdf(
+    data: &ReportData,
+    folder: &Path,
+    extent: Extent,
+    paper: Paper,
+) -> Result<Vec<u8>, Box<Diagnostic>> {
+    let sheet = crate::report::sheet::build::sheet(data, extent, paper);
+    crate::report::pdf::pdf(&sheet, |name| picture(folder, name))
+}
+
+/// A program without the feature `pdf` prints no report.
+#[cfg(not(feature = "pdf"))]
+pub fn pdf(_: &ReportData, _: &Path, _: Extent, _: Paper) -> Result<Vec<u8>, Box<Diagnostic>> {
+    let message = "this program was built without the feature `pdf`: it prints no report";
+    let help = "build it with default features; `report.html` and `report.md` are complete";
+    Err(Box::new(Diagnostic::environment("report/pdf", message).help(help)))
+}
+
+/// A picture of a result folder; `None` if there is none of this name.
+#[cfg(feature = "pdf")]
+fn picture(folder: &Path, name: &str) -> Option<Vec<u8>> {
+    let mut parts = Path::new(name).components();
+    let inside = matches!((parts.next(), parts.next()), (Some(Component::Normal(_)), None));
+    inside.then(|| std::fs::read(folder.join(name)).ok()).flatten()
+}
+
+/// Writes a file aside and renames it, so that no half of it is ever seen.
+pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Box<Diagnostic>> {
+    let mut part = path.as_os_str().to_owned();
+    part.push(".part");
+    let part = Path::new(&part);
+    let written = std::fs::write(part, bytes).and_then(|()| std::fs::rename(part, path));
+    written.map_err(|e| {
+        let _ = std::fs::remove_file(part);
+        let message = format!("`{}` cannot be written: {e}", path.display());
+        let help = "check the folder and the disk, or name another file with --out";
+        Box::new(Diagnostic::environment("report/write", message).file(path).help(help))
+    })
+}

@@ -1,0 +1,278 @@
+//! Fills the sheet from the data of the report.
+
+use super::blocks::{Block, Grid, plain, section, sentence};
+use super::formula::{Piece, pieces};
+use super::{
+    Bar, CaseAnswer, Entry, Extent, Paper, Picture, Section, Sheet, SummaryLine, TopicSheet,
+    VerdictBox, WorkedRow,
+};
+use crate::checks::verdict::Verdict;
+use crate::checks::{Check, Status};
+use crate::report::figures::{Rounding, significant};
+use crate::report::markdown::answer::answer;
+use crate::report::markdown::assumptions::assumptions;
+use crate::report::markdown::collapse::mechanism;
+use crate::report::markdown::demand::actions;
+use crate::report::markdown::hand_checks::{TOPICS, value_of};
+use crate::report::markdown::report_data::{PictureRef, ReportData, ResolvedValue, Table};
+use crate::report::markdown::warnings::all_warnings;
+use crate::report::markdown::words::analysis_word;
+use crate::report::markdown::yielding::yielding;
+use crate::report::markdown::{
+    certificate, component_method, forces, history, input, polygon, stiffness,
+};
+use crate::report::summary::{SummaryRow, Tone, summary_rows};
+use crate::result::result_file::{CaseResult, Quantity, ResultFile, Upper};
+
+/// The sheet of a report.
+pub fn sheet(data: &ReportData, extent: Extent, paper: Paper) -> Sheet {
+    let value =
+        |name: &str| data.project.iter().skip(1).find(|(n, _)| n == name).map(|(_, v)| v.clone());
+    let running = [("number", ""), ("revision", "revision ")];
+    let running: Vec<String> =
+        running.iter().filter_map(|(n, word)| Some(format!("{word}{}", value(n)?))).collect();
+    let full = extent == Extent::Full;
+    let entry =
+        |(name, value): &(String, String)| Entry { name: name.clone(), value: value.clone() };
+    let tool = &data.result.tool;
+    Sheet {
+        extent,
+        paper,
+        title: data.project.first().map_or_else(|| data.input_name.clone(), |l| l.1.clone()),
+        running: running.join(", "),
+        author: value("author").unwrap_or_default(),
+        date: value("date").and_then(|d| date(&d)),
+        project: data.project.iter().skip(1).map(entry).collect(),
+        software: format!("{} {}", tool.name, tool.version),
+        hash: data.result.input_hash.clone(),
+        verdict: verdict(&data.result),
+        drawings: pictures(&data.drawings),
+        actions: grid(&actions(&data.result, &data.demands)),
+        summary: summary_rows(&data.result).into_iter().map(summary_line).collect(),
+        answers: data.result.cases.iter().map(|c| case_answer(c, data)).collect(),
+        pictures: pictures(&data.pictures),
+        design_values: design_values(&data.resolved),
+        schedule: grid(&data.schedule),
+        warnings: all_warnings(data).iter().map(|w| sentence(w)).collect(),
+        topics: if full { topics(&data.result.checks) } else { Vec::new() },
+        assumptions: assumptions(data).iter().map(|a| sentence(a)).collect(),
+        sections: if full { sections(data) } else { Vec::new() },
+    }
+}
+
+fn summary_line(row: SummaryRow) -> SummaryLine {
+    SummaryLine { what: pieces(&row.check), row }
+}
+
+/// Year, month and day of `2026-11-23` or `23.11.2026`.
+fn date(text: &str) -> Option<[u32; 3]> {
+    let numbers = |by: char| -> Option<Vec<u32>> {
+        text.trim().split(by).map(|part| part.parse().ok()).collect()
+    };
+    let (year, month, day) = match (numbers('-').as_deref(), numbers('.').as_deref()) {
+        (Some(&[y, m, d]), _) | (_, Some(&[d, m, y])) => (y, m, d),
+        _ => return None,
+    };
+    let leap = year % 4 == 0 && (year % 100 != 0 || year % 400 == 0);
+    let days = match month {
+        2 if leap => 29,
+        2 => 28,
+        4 | 6 | 9 | 11 => 30,
+        1..=12 => 31,
+        _ => 0,
+    };
+    ((1000..=9999).contains(&year) && (1..=days).contains(&day)).then_some([year, month, day])
+}
+
+fn pictures(refs: &[PictureRef]) -> Vec<Picture> {
+    let one = |p: &PictureRef| Picture { file: p.file.clone(), caption: p.caption.clone() };
+    refs.iter().map(one).collect()
+}
+
+fn grid(table: &Table) -> Grid {
+    let number = |c: usize| {
+        let mut cells = table.rows.iter().filter_map(|r| r.get(c)).filter(|t| !t.is_empty());
+        cells.all(|t| t.starts_with(|l: char| l.is_ascii_digit() || "-−–".contains(l)))
+    };
+    Grid {
+        columns: table.columns.iter().map(plain).collect(),
+        right: (0..table.columns.len()).map(number).collect(),
+        rows: table.rows.iter().map(|r| r.iter().map(plain).collect()).collect(),
+    }
+}
+
+fn verdict(result: &ResultFile) -> VerdictBox {
+    let word = result.verdict.words().to_string();
+    let tone = result.verdict.into();
+    let Some(j) = &result.judgement else {
+        let reason = match result.verdict {
+            Verdict::NotOk => "A check that needs no load fails.",
+            _ => "No load is a demand on the joint: only actions at member ends are.",
+        };
+        return VerdictBox { word, tone, reason: pieces(reason), parts: Vec::new() };
+    };
+    let part = |name: &str, v: Verdict, on: &str| {
+        (name.to_string(), v.words().to_string(), Tone::from(v), on.to_string())
+    };
+    let analysis = match j.by_analysis {
+        Verdict::None => "no analysis of the resistance was run",
+        _ => "strict bounds of limit analysis, the lower one without friction",
+    };
+    let code = "binding checks of EN 1993; strength by the component method where no limit \
+                analysis decides";
+    VerdictBox {
+        word,
+        tone,
+        reason: pieces(&format!("{}.", j.reason)),
+        parts: vec![part("by code", j.by_code, code), part("by analysis", j.by_analysis, analysis)],
+    }
+}
+
+fn case_answer(case: &CaseResult, data: &ReportData) -> CaseAnswer {
+    let blocks = section(|page| {
+        answer(page, case, data);
+        component_method::lines(page, case);
+        stiffness::lines(page, case);
+        forces::tables(page, case, data.result.symmetry);
+    });
+    CaseAnswer {
+        name: format!("{}, {}", case.name, analysis_word(case.analysis)),
+        bar: bar(case),
+        blocks,
+    }
+}
+
+/// The bracket of a load factor; `None` for energies and without a bound.
+fn bar(case: &CaseResult) -> Option<Bar> {
+    if case.quantity != Quantity::LoadFactor || !case.is_strict() {
+        return None;
+    }
+    let up = match case.upper {
+        Some(Upper::Finite(up)) => Some(up),
+        _ => None,
+    };
+    let low = case.lower.unwrap_or(0.0);
+    let methods = case.demand.iter().flat_map(|d| &d.component_method).filter_map(|c| c.factor);
+    let method = methods.reduce(f64::min).filter(|f| f.is_finite() && *f > 0.0);
+    (low > 0.0 || up.is_some()).then_some(Bar { low, up, method })
+}
+
+/// Partial factors, and strengths of the materials.
+fn design_values(resolved: &[ResolvedValue]) -> Vec<(Vec<Piece>, String, String)> {
+    let value = |v: &ResolvedValue| format!("{} {}", v.value, v.unit).trim().to_string();
+    let one = |v: &ResolvedValue| {
+        if let Some(which) = v.name.strip_prefix("code.gamma_") {
+            return Some((
+                pieces(&format!("γ_{}", which.replace('_', ","))),
+                String::new(),
+                value(v),
+            ));
+        }
+        let material = v.name.strip_prefix("materials.")?.strip_suffix(".fy")?;
+        Some((pieces("f_y"), material.to_string(), value(v)))
+    };
+    resolved.iter().filter_map(one).collect()
+}
+
+fn topics(checks: &[Check]) -> Vec<TopicSheet> {
+    let of = |(topic, title, words): &(crate::checks::Topic, &str, &str)| {
+        let mine: Vec<&Check> = checks.iter().filter(|c| c.topic == *topic).collect();
+        let rows = mine.into_iter().map(worked).collect::<Vec<_>>();
+        let sheet = TopicSheet { title: (*title).into(), words: pieces(words), rows };
+        (!sheet.rows.is_empty()).then_some(sheet)
+    };
+    TOPICS.iter().filter_map(of).collect()
+}
+
+fn worked(c: &Check) -> WorkedRow {
+    let case = c.case.as_ref().map_or(String::new(), |case| format!("{case}, "));
+    let (status, tone) = match c.status {
+        Status::Ok => ("OK", Tone::Good),
+        Status::Failed => ("FAILED", Tone::Bad),
+        Status::Undecided => ("UNDECIDED", Tone::Open),
+        Status::Warning => ("warning", Tone::Quiet),
+        Status::Information => ("information", Tone::Quiet),
+    };
+    let used = c.utilisation.map(|u| significant(u, 3, Rounding::Up));
+    WorkedRow {
+        of: format!("{case}{}", c.subject),
+        check: pieces(&c.title),
+        formula: pieces(&c.formula),
+        values: c.values.iter().map(|s| pieces(&value_of(s))).collect(),
+        clause: c.clause.clone(),
+        utilisation: used.unwrap_or_else(|| "–".into()),
+        status: status.into(),
+        tone,
+    }
+}
+
+fn sections(data: &ReportData) -> Vec<Section> {
+    let mut out = Vec::new();
+    let mut add = |title: &str, blocks: Vec<Block>| {
+        if !blocks.is_empty() {
+            out.push(Section { title: title.into(), blocks });
+        }
+    };
+    add("Capacity for two actions", section(|page| polygon::section(page, &data.result)));
+    let cases = || data.result.cases.iter();
+    add("Mechanism and yielding", {
+        section(|page| {
+            cases().for_each(|c| {
+                mechanism(page, c);
+                yielding(page, c);
+            });
+        })
+    });
+    if !data.result.cases.is_empty() {
+        let mut blocks = section(|page| {
+            let run = cases().filter(|c| !c.history.is_empty());
+            run.for_each(|c| history::history(page, c, data.result.symmetry));
+        });
+        if !data.mesh_quality.rows.is_empty() {
+            blocks.insert(0, Block::Table { table: grid(&data.mesh_quality) });
+        }
+        add("Meshes and history", blocks);
+        add("Certificate", section(|page| certificate::certificates(page, data)));
+    }
+    add("Resolved values, catalogue rows and notes", section(|page| input::values(page, data)));
+    add("Input file as given", vec![Block::Code { text: data.input_text.clone() }]);
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::result::fixtures::limit_case;
+
+    #[test]
+    fn dates_of_a_spec_are_read_or_left_out() {
+        for (text, want) in [
+            ("2026-11-23", Some([2026, 11, 23])),
+            ("23.11.2026", Some([2026, 11, 23])),
+            ("29.02.2028", Some([2028, 2, 29])),
+            ("29.02.2026", None),
+            ("2026-13-01", None),
+            ("2026-00-10", None),
+            ("11/23/2026", None),
+            ("May 2026", None),
+            ("", None),
+        ] {
+            assert_eq!(date(text), want, "{text}");
+        }
+    }
+
+    /// Only strict bounds are drawn, and a bound that is not known stays open.
+    #[test]
+    fn the_bar_shows_what_is_proved() {
+        let at = |low, up, strict: bool| {
+            let mut case = limit_case(low, up);
+            case.certificate.iter_mut().for_each(|c| c.strict = strict);
+            bar(&case).map(|b| (b.low, b.up))
+        };
+        assert_eq!(at(Some(1.2), Some(1.5), true), Some((1.2, Some(1.5))));
+        assert_eq!(at(None, Some(1.5), true), Some((0.0, Some(1.5))));
+        assert_eq!(at(Some(1.2), None, true), Some((1.2, None)));
+        assert_eq!(at(None, None, true), None);
+        assert_eq!(at(Some(1.2), Some(1.5), false), None);
+    }
+}

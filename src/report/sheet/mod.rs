@@ -1,0 +1,187 @@
+//! The printed report as plain data: what stands on its pages, in the order of the pages, without a
+//! layout.
+
+pub mod blocks;
+pub mod build;
+pub mod formula;
+
+use crate::report::summary::{SummaryRow, Tone};
+use blocks::{Block, Grid, Text};
+use formula::Piece;
+use serde::Serialize;
+
+/// Name of the printed report in a result folder.
+pub const PDF_FILE: &str = "report.pdf";
+
+/// Extent of a printed report.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub enum Extent {
+    /// Verdict, drawings, actions, summary of the checks, bounds.
+    #[default]
+    Short,
+    /// Also the checks with their numbers, analyses, catalogue rows and input.
+    Full,
+}
+
+/// Size of the paper.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub enum Paper {
+    /// 210 × 297 mm.
+    #[default]
+    #[serde(rename = "a4")]
+    A4,
+    /// 8.5 × 11 inches.
+    #[serde(rename = "us-letter")]
+    Letter,
+}
+
+/// A name with a value.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Entry {
+    /// Name.
+    pub name: String,
+    /// Value.
+    pub value: String,
+}
+
+/// A picture of the result folder.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Picture {
+    /// File name.
+    pub file: String,
+    /// Caption.
+    pub caption: String,
+}
+
+/// The verdict.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct VerdictBox {
+    /// `OK`, `NOT OK`, `UNDECIDED`, `none`.
+    pub word: String,
+    /// Its colour.
+    pub tone: Tone,
+    /// Reason, in a sentence.
+    pub reason: Vec<Piece>,
+    /// By code and by analysis: name, word, colour and what it stands on.
+    pub parts: Vec<(String, String, Tone, String)>,
+}
+
+/// The bracket of a load factor on an axis. Numbers are load factors.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Bar {
+    /// Lower bound; 0 without one.
+    pub low: f64,
+    /// Upper bound; absent without one.
+    pub up: Option<f64>,
+    /// Load factor of the component method.
+    pub method: Option<f64>,
+}
+
+/// The bounds of a load case.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct CaseAnswer {
+    /// Name of the case and kind of analysis.
+    pub name: String,
+    /// The bracket as a bar; absent for energies.
+    pub bar: Option<Bar>,
+    /// Sentences and tables.
+    pub blocks: Vec<Block>,
+}
+
+/// A row of the summary of checks.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SummaryLine {
+    /// Check and place.
+    pub what: Vec<Piece>,
+    /// Its cells.
+    #[serde(flatten)]
+    pub row: SummaryRow,
+}
+
+/// A check with its numbers.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct WorkedRow {
+    /// Load case and part.
+    pub of: String,
+    /// Name of the check.
+    pub check: Vec<Piece>,
+    /// Formula with its numbers.
+    pub formula: Vec<Piece>,
+    /// Intermediate values.
+    pub values: Vec<Vec<Piece>>,
+    /// Clause.
+    pub clause: String,
+    /// Demand over resistance.
+    pub utilisation: String,
+    /// Status.
+    pub status: String,
+    /// Its colour.
+    pub tone: Tone,
+}
+
+/// The checks of a topic.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct TopicSheet {
+    /// Title.
+    pub title: String,
+    /// What a reader must know of them.
+    pub words: Vec<Piece>,
+    /// The checks.
+    pub rows: Vec<WorkedRow>,
+}
+
+/// A section of blocks.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Section {
+    /// Its title.
+    pub title: String,
+    /// Its elements.
+    pub blocks: Vec<Block>,
+}
+
+/// All that the printed report says.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Sheet {
+    /// Extent.
+    pub extent: Extent,
+    /// Paper.
+    pub paper: Paper,
+    /// Title of the joint.
+    pub title: String,
+    /// Project number and revision, on every page; empty without them.
+    pub running: String,
+    /// Author of the report, for the properties of the document.
+    pub author: String,
+    /// Date of the report as year, month, day; absent without one that can be read.
+    pub date: Option<[u32; 3]>,
+    /// Title block.
+    pub project: Vec<Entry>,
+    /// Program and version.
+    pub software: String,
+    /// Hash of the input.
+    pub hash: String,
+    /// Verdict.
+    pub verdict: VerdictBox,
+    /// Drawings of the joint and of its actions.
+    pub drawings: Vec<Picture>,
+    /// Actions of the load cases, with what the joint carries.
+    pub actions: Grid,
+    /// Checks with a demand, worst first.
+    pub summary: Vec<SummaryLine>,
+    /// Bounds of the load cases.
+    pub answers: Vec<CaseAnswer>,
+    /// Pictures of mesh and mechanism.
+    pub pictures: Vec<Picture>,
+    /// Partial factors and strengths: symbol, of what, value.
+    pub design_values: Vec<(Vec<Piece>, String, String)>,
+    /// Bolts, plates and masses.
+    pub schedule: Grid,
+    /// Warnings.
+    pub warnings: Vec<Text>,
+    /// Checks with their numbers; empty in the short report.
+    pub topics: Vec<TopicSheet>,
+    /// Assumptions and limits.
+    pub assumptions: Vec<Text>,
+    /// Further sections of the full report.
+    pub sections: Vec<Section>,
+}

@@ -1,0 +1,164 @@
+//! The table that a checker reads first: every check with a demand, the worst first.
+
+use crate::checks::check::number;
+use crate::checks::verdict::Verdict;
+use crate::checks::{Check, Status, Topic, Unit};
+use crate::report::figures::{Rounding, significant};
+use crate::result::result_file::Quantity;
+use crate::result::result_file::{CaseResult, ResultFile};
+use serde::Serialize;
+
+/// Colour of a word of judgement.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Tone {
+    /// Holds.
+    Good,
+    /// Fails.
+    Bad,
+    /// Not decided.
+    Open,
+    /// Information.
+    #[default]
+    Quiet,
+}
+
+impl From<Verdict> for Tone {
+    fn from(verdict: Verdict) -> Self {
+        match verdict {
+            Verdict::Ok => Tone::Good,
+            Verdict::NotOk => Tone::Bad,
+            Verdict::Undecided => Tone::Open,
+            Verdict::None => Tone::Quiet,
+        }
+    }
+}
+
+/// A row of the summary of checks.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct SummaryRow {
+    /// Load case, or `all`.
+    pub case: String,
+    /// Check and place.
+    pub check: String,
+    /// Demand with its unit.
+    pub demand: String,
+    /// Resistance with its unit.
+    pub resistance: String,
+    /// Demand over resistance.
+    pub utilisation: String,
+    /// Clause.
+    pub clause: String,
+    /// Status.
+    pub status: String,
+    /// Its colour.
+    pub tone: Tone,
+    /// True for a row that governs.
+    pub governs: bool,
+    /// Utilisation by which it may govern; absent if the row decides nothing.
+    #[serde(skip)]
+    pub governs_by: Option<f64>,
+    /// Utilisation by which it is sorted.
+    #[serde(skip)]
+    size: f64,
+}
+
+/// The rows: what fails, what is open, then by utilisation; information last. Empty without a
+/// demand.
+pub fn summary_rows(result: &ResultFile) -> Vec<SummaryRow> {
+    let mut rows: Vec<SummaryRow> = result.cases.iter().filter_map(bracket_row).collect();
+    let loaded: Vec<&Check> =
+        result.checks.iter().filter(|c| c.case.is_some() && c.demand.is_some()).collect();
+    if rows.is_empty() && loaded.is_empty() {
+        return rows;
+    }
+    rows.extend(worst_distance(&result.checks).map(row));
+    // checks that decide without a load; the distances have their own row
+    let open =
+        |c: &&Check| matches!(c.status, Status::Failed | Status::Undecided) && c.case.is_none();
+    rows.extend(result.checks.iter().filter(open).filter(|c| c.unit != Unit::Length).map(row));
+    rows.extend(loaded.into_iter().map(row));
+    let most = rows.iter().filter_map(|r| r.governs_by).fold(f64::NEG_INFINITY, f64::max);
+    rows.iter_mut().for_each(|r| r.governs = r.governs_by.is_some_and(|u| u >= most));
+    let rank = |r: &SummaryRow| match r.tone {
+        Tone::Bad => 0,
+        Tone::Open => 1,
+        Tone::Good => 2,
+        Tone::Quiet => 3,
+    };
+    // a stable sort: equal rows keep the order of the checks
+    rows.sort_by(|a, b| {
+        let by_size = b.size.total_cmp(&a.size);
+        rank(a).cmp(&rank(b)).then(b.governs.cmp(&a.governs)).then(by_size)
+    });
+    rows
+}
+
+/// The row of the bracket of a load case.
+fn bracket_row(case: &CaseResult) -> Option<SummaryRow> {
+    let demand = case.demand.as_ref().filter(|_| case.quantity == Quantity::LoadFactor)?;
+    let (down, up) =
+        (|x: f64| significant(x, 3, Rounding::Down), |x: f64| significant(x, 3, Rounding::Up));
+    let used = case.utilisation.map(|[l, u]| format!("{} … {}", down(l), up(u)));
+    let bounds = match case.factor_bounds() {
+        (Some(l), Some(u)) => format!("{} … {}", down(l), up(u)),
+        (Some(l), None) => format!("≥ {}", down(l)),
+        (None, Some(u)) => format!("≤ {}", up(u)),
+        (None, None) => "–".into(),
+    };
+    let undecided = (demand.by_analysis == Verdict::Undecided).then_some(1.0);
+    let governs_by = case.utilisation.map(|u| u[1]).or(undecided);
+    Some(SummaryRow {
+        case: case.name.clone(),
+        check: "joint at collapse, load factor".into(),
+        demand: "1".into(),
+        resistance: bounds,
+        utilisation: used.unwrap_or_else(|| "–".into()),
+        clause: "limit analysis".into(),
+        status: demand.by_analysis.words().into(),
+        tone: demand.by_analysis.into(),
+        governs: false,
+        governs_by,
+        size: governs_by.unwrap_or(0.0),
+    })
+}
+
+/// The minimum distance of Table 3.3 with the largest utilisation.
+fn worst_distance(checks: &[Check]) -> Option<&Check> {
+    let used = |c: &Check| c.utilisation.unwrap_or(f64::INFINITY);
+    checks
+        .iter()
+        .filter(|c| c.clause.contains("Table 3.3") && !c.title.contains("exposed"))
+        .reduce(|a, b| if used(b) > used(a) { b } else { a })
+}
+
+fn row(c: &Check) -> SummaryRow {
+    let show = |v: Option<f64>| v.map_or("–".into(), |v| c.unit.show(v));
+    let decides = matches!(c.status, Status::Ok | Status::Failed | Status::Undecided)
+        && !matches!(c.topic, Topic::Stiffness | Topic::Ductility);
+    let (status, tone) = match (c.status, c.utilisation) {
+        (Status::Failed, _) => ("FAILED", Tone::Bad),
+        (Status::Undecided, _) => ("UNDECIDED", Tone::Open),
+        (Status::Ok, _) => ("OK", Tone::Good),
+        // a limit analysis decides the case
+        (Status::Warning, _) => ("exceeded, information", Tone::Quiet),
+        (Status::Information, Some(_)) => ("OK, information", Tone::Quiet),
+        (Status::Information, None) => ("information", Tone::Quiet),
+    };
+    // a minimum distance or throat decides, but does not measure strength
+    let strength = decides && (c.unit != Unit::Length || c.status == Status::Failed);
+    let used = c.utilisation.unwrap_or(f64::INFINITY);
+    SummaryRow {
+        case: c.case.clone().unwrap_or_else(|| "all".into()),
+        check: format!("{}, {}", c.title, c.subject),
+        demand: show(c.demand),
+        resistance: show(c.resistance),
+        utilisation: c.utilisation.map_or_else(|| "–".into(), number),
+        clause: c.clause.clone(),
+        status: status.into(),
+        tone,
+        governs: false,
+        governs_by: strength.then_some(used),
+        size: used,
+    }
+}
