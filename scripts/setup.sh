@@ -8,6 +8,7 @@ set -eu
 gmsh_version=4.15.2
 mmgpy_version=0.17.1
 meshio_version=5.3.5
+ezdxf_version=1.4.5
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
 venv=$root/.venv
 test=no
@@ -130,6 +131,7 @@ want gmsh "$gmsh_version"
 try mmgpy "$mmgpy_version" --no-deps || :
 if [ "$test" = yes ]; then
     want meshio "$meshio_version"
+    want ezdxf "$ezdxf_version"
     "$venv/bin/python" -c 'import numpy' 2>/dev/null ||
         "$venv/bin/python" -m pip install --quiet --disable-pip-version-check numpy >&2 ||
         stop "pip could not install numpy; is the package index reachable?"

@@ -5,6 +5,8 @@
 mod bench;
 #[path = "cli/check.rs"]
 mod check;
+#[path = "cli/plate_dxf.rs"]
+mod plate_dxf;
 #[cfg(feature = "pdf")]
 #[path = "cli/printed_report.rs"]
 mod printed_report;

@@ -43,6 +43,8 @@ pub struct RunContext {
     pub demands: Vec<CaseDemand>,
     /// Drawings as SVG text, with file name and caption.
     pub drawings: Vec<(PictureRef, String)>,
+    /// The end plate as DXF, where the joint has one.
+    pub plate_dxf: Option<String>,
     /// Bolts and plates.
     pub schedule: Table,
     /// Positions of the bolts.

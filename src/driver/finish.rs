@@ -7,6 +7,7 @@ use crate::diag::{Diagnostic, Diagnostics, ExitStatus};
 use crate::driver::context::RunContext;
 use crate::report::console::answer::answer;
 use crate::report::console::log::Log;
+use crate::report::draw::dxf::DXF_FILE;
 use crate::report::html;
 use crate::report::markdown::compose::report_markdown;
 use crate::report::markdown::report_data::ModelTraits;
@@ -92,6 +93,9 @@ fn write(
     let json = result.to_json().map_err(Diagnostic::from)?;
     for (drawing, text) in &context.drawings {
         folder.write(&drawing.file, text.as_bytes())?;
+    }
+    if let Some(dxf) = &context.plate_dxf {
+        folder.write(DXF_FILE, dxf.as_bytes())?;
     }
     let given = context.demands.into_iter();
     let given = given.map(|d| GivenActions { case: d.case, actions: d.actions }).collect();

@@ -8,7 +8,7 @@ use crate::diag::Diagnostics;
 use crate::driver::context::RunContext;
 use crate::driver::demands::demands;
 use crate::driver::spec_file::SpecFile;
-use crate::report::draw::{drawing, moment_axial};
+use crate::report::draw::{drawing, dxf, moment_axial};
 use crate::report::markdown::report_data::CatalogueRow;
 use crate::report::markdown::report_data::PictureRef;
 use crate::report::markdown::report_data::ResolvedValue;
@@ -58,6 +58,7 @@ pub fn spec_context(
         checks,
         demands: demands(&input.spec.value.loads),
         drawings: drawings(input),
+        plate_dxf: end_plate.map(|e| dxf::end_plate(e, plates(input))),
         schedule: end_plate
             .map_or_else(Default::default, |e| schedule::schedule(&parts_list(e, plates(input)))),
         bolts: input.joint.bolts.clone(),

@@ -4,6 +4,7 @@ pub mod axes;
 pub mod canvas;
 pub mod contact_map;
 pub mod drawing;
+pub mod dxf;
 pub mod legend;
 pub mod lettering;
 pub mod moment_axial;
