@@ -31,7 +31,7 @@ done
 case $not_run in *fmt*) ;; *) step cargo fmt --check ;; esac
 case $not_run in *clippy*) ;; *) step cargo clippy --release --all-targets --locked -- -D warnings ;; esac
 
-step cargo build --release --locked
+# builds the program too
 step cargo test --release --locked
 if [ "$heavy" = yes ]; then
     step cargo test --release --locked --lib --bins --tests -- --ignored
