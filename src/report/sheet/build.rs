@@ -6,9 +6,9 @@ use super::{
     Bar, CaseAnswer, Entry, Extent, Paper, Picture, Section, Sheet, SummaryLine, TopicSheet,
     VerdictBox, WorkedRow,
 };
+use crate::checks::check::number;
 use crate::checks::verdict::Verdict;
 use crate::checks::{Check, Status};
-use crate::report::figures::{Rounding, significant};
 use crate::report::markdown::answer::answer;
 use crate::report::markdown::assumptions::assumptions;
 use crate::report::markdown::collapse::mechanism;
@@ -193,7 +193,8 @@ fn worked(c: &Check) -> WorkedRow {
         Status::Warning => ("warning", Tone::Quiet),
         Status::Information => ("information", Tone::Quiet),
     };
-    let used = c.utilisation.map(|u| significant(u, 3, Rounding::Up));
+    // the same digits as in the summary
+    let used = c.utilisation.map(number);
     WorkedRow {
         of: format!("{case}{}", c.subject),
         check: pieces(&c.title),
