@@ -8,6 +8,7 @@ use super::file::{Bounds, Gap};
 use super::opening::ConeShift;
 use crate::math::mandel::{Isotropic, yield_radius};
 use crate::mesh::TetMesh;
+use crate::mesh::split::{OpenPair, TetFace};
 use crate::spec::analysis::AnalysisKind;
 use crate::spec::friction::FrictionLaw;
 use std::sync::Arc;
@@ -48,6 +49,19 @@ pub struct FacePair {
     pub nodes_a: [u32; 3],
     /// The matching vertices on side B.
     pub nodes_b: [u32; 3],
+}
+
+impl From<TetFace> for BoundaryFace {
+    fn from(face: TetFace) -> Self {
+        Self { tet: face.tet, local: face.local }
+    }
+}
+
+impl From<&OpenPair> for FacePair {
+    fn from(pair: &OpenPair) -> Self {
+        let (a, b) = (pair.a.into(), pair.b.into());
+        Self { a, b, nodes_a: pair.nodes_a, nodes_b: pair.nodes_b }
+    }
 }
 
 /// Unilateral contact with Coulomb friction.

@@ -5,7 +5,7 @@ use super::faults::Faults;
 use super::names::Scene;
 use crate::mesh::split::{OpenPair, TetFace};
 use crate::mesh::topology::FaceRow;
-use crate::model::analysis::{BoundaryFace, ContactLaw, FacePair, Interface, Weld};
+use crate::model::analysis::{ContactLaw, FacePair, Interface, Weld};
 use crate::model::file::{Gap, InterfaceEntry, Law, ModelFile};
 use crate::spec::friction::FrictionLaw;
 
@@ -321,18 +321,11 @@ pub(super) fn check_gap(
 /// The contacts and the welds once the nodes are split; `pairs` are in the order of the claims.
 pub(super) fn pairs(claims: &Claims, pairs: &[OpenPair]) -> (Vec<Interface>, Vec<Weld>) {
     let mut rest = pairs;
-    let face = |f: TetFace| BoundaryFace { tet: f.tet, local: f.local };
     let (mut interfaces, mut welds) = (Vec::new(), Vec::new());
     for open in &claims.open {
         let (mine, others) = rest.split_at(open.faces.len());
         rest = others;
-        let pair = |p: &OpenPair| FacePair {
-            a: face(p.a),
-            b: face(p.b),
-            nodes_a: p.nodes_a,
-            nodes_b: p.nodes_b,
-        };
-        let (name, faces) = (open.name.clone(), mine.iter().map(pair).collect());
+        let (name, faces) = (open.name.clone(), mine.iter().map(FacePair::from).collect());
         match &open.law {
             OpenLaw::Contact(law) => interfaces.push(Interface { name, law: law.clone(), faces }),
             OpenLaw::Weld(strength, throat) => {

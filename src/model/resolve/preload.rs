@@ -8,7 +8,7 @@ use crate::diag::{Diagnostic, Diagnostics};
 use crate::math::vec3::{self, V3};
 use crate::mesh::split::{OpenPair, SplitMesh, TetFace};
 use crate::mesh::topology::face_nodes;
-use crate::model::analysis::{BoundaryFace, FacePair, Preload};
+use crate::model::analysis::{FacePair, Preload};
 use crate::model::file::{ModelFile, PreloadEntry};
 use crate::spec::analysis::AnalysisKind;
 use std::collections::{BTreeMap, BTreeSet};
@@ -243,7 +243,6 @@ pub(super) fn preloads(
     split: &SplitMesh,
 ) -> Result<Vec<Preload>, Diagnostics> {
     let mut rest = pairs;
-    let face = |f: TetFace| BoundaryFace { tet: f.tet, local: f.local };
     cuts.into_iter()
         .map(|cut| {
             let (mine, others) = rest.split_at(cut.faces.len());
@@ -263,13 +262,7 @@ pub(super) fn preloads(
                             shank, or another cut";
                 return Err(Diagnostic::input("model/preload", m).help(help).into());
             }
-            let pair = |p: &OpenPair| FacePair {
-                a: face(p.a),
-                b: face(p.b),
-                nodes_a: p.nodes_a,
-                nodes_b: p.nodes_b,
-            };
-            Ok(Preload { faces: mine.iter().map(pair).collect(), ..cut.preload })
+            Ok(Preload { faces: mine.iter().map(FacePair::from).collect(), ..cut.preload })
         })
         .collect()
 }

@@ -10,7 +10,7 @@ use crate::math::vec3;
 use crate::mesh::TetMesh;
 use crate::mesh::split::{OpenPair, TetFace};
 use crate::mesh::topology::FaceTable;
-use crate::model::analysis::{BoundaryFace, FacePair, Material, Tie};
+use crate::model::analysis::{FacePair, Material, Tie};
 use std::collections::BTreeMap;
 
 /// A tie before the nodes are split.
@@ -56,17 +56,10 @@ pub(super) fn ties(
 /// The ties once the nodes are split; `pairs` are in their order.
 pub(super) fn opened(ties: Vec<Tied>, pairs: &[OpenPair]) -> Vec<Tie> {
     let mut rest = pairs;
-    let face = |f: TetFace| BoundaryFace { tet: f.tet, local: f.local };
-    let pair = |p: &OpenPair| FacePair {
-        a: face(p.a),
-        b: face(p.b),
-        nodes_a: p.nodes_a,
-        nodes_b: p.nodes_b,
-    };
     let tie = |t: Tied| {
         let (mine, others) = rest.split_at(t.faces.len());
         rest = others;
-        Tie { name: t.name, strength: t.strength, faces: mine.iter().map(pair).collect() }
+        Tie { name: t.name, strength: t.strength, faces: mine.iter().map(FacePair::from).collect() }
     };
     ties.into_iter().map(tie).collect()
 }

@@ -41,13 +41,13 @@ pub(crate) fn checks(page: &mut String, checks: &[Check]) {
         paragraph(page, &format!("**{title}.** {words}"));
         let decided = mine.iter().any(|c| c.utilisation.is_some());
         let rows = mine.iter().map(|c| {
-            let case = c.case.as_ref().map_or(String::new(), |case| format!("{case}, "));
-            let mut row =
-                vec![format!("{case}{}", c.subject), c.title.clone(), formula(c), c.clause.clone()];
+            let mut row = vec![place(c), c.title.clone(), formula(c), c.clause.clone()];
             if decided {
                 let used =
                     c.utilisation.map_or_else(|| "–".into(), |u| significant(u, 3, Rounding::Up));
-                row.extend([used, status(c.status).into()]);
+                let word = status(c.status);
+                let bold = matches!(c.status, Status::Failed | Status::Undecided);
+                row.extend([used, if bold { format!("**{word}**") } else { word.into() }]);
             }
             row
         });
@@ -136,11 +136,18 @@ fn formula(c: &Check) -> String {
     }
 }
 
-fn status(status: Status) -> &'static str {
+/// Load case and part of a check.
+pub(crate) fn place(c: &Check) -> String {
+    let case = c.case.as_ref().map_or(String::new(), |case| format!("{case}, "));
+    format!("{case}{}", c.subject)
+}
+
+/// The status of a check in a word.
+pub(crate) fn status(status: Status) -> &'static str {
     match status {
         Status::Ok => "OK",
-        Status::Failed => "**FAILED**",
-        Status::Undecided => "**UNDECIDED**",
+        Status::Failed => "FAILED",
+        Status::Undecided => "UNDECIDED",
         Status::Warning => "warning",
         Status::Information => "information",
     }

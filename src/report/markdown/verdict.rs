@@ -27,18 +27,20 @@ pub(crate) fn verdict(page: &mut String, result: &ResultFile) {
 }
 
 fn rows(j: &Judgement) -> Vec<Vec<String>> {
-    let row = |name: &str, verdict: Verdict, on: &str| {
+    let row = |(name, verdict, on): (&str, Verdict, &str)| {
         vec![name.to_owned(), verdict.words().into(), on.to_owned()]
     };
+    let all = ("**joint**", j.verdict, "the worse of the two");
+    parts(j).into_iter().chain([all]).map(row).collect()
+}
+
+/// The verdicts by code and by analysis: name, verdict, and what it stands on.
+pub(crate) fn parts(j: &Judgement) -> [(&'static str, Verdict, &'static str); 2] {
     let code = "binding checks of EN 1993; strength by the component method where no limit \
                 analysis decides";
     let analysis = match j.by_analysis {
         Verdict::None => "no analysis of the resistance was run",
         _ => "strict bounds of limit analysis, the lower one without friction",
     };
-    vec![
-        row("by code", j.by_code, code),
-        row("by analysis", j.by_analysis, analysis),
-        row("**joint**", j.verdict, "the worse of the two"),
-    ]
+    [("by code", j.by_code, code), ("by analysis", j.by_analysis, analysis)]
 }

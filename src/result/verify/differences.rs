@@ -33,12 +33,11 @@ pub fn derived_differences(claimed: &CaseResult, found: &CaseResult) -> Vec<Stri
     let bolts = claimed.preload.iter().zip(&found.preload);
     let preload = claimed.preload.len() == found.preload.len()
         && bolts.into_iter().all(|(a, b)| near(a.tension, b.tension));
-    let shares = claimed.dissipation.len() == found.dissipation.len()
-        && claimed
-            .dissipation
-            .iter()
-            .zip(&found.dissipation)
-            .all(|(a, b)| a.part == b.part && near(Some(a.share), Some(b.share)));
+    let shares = |of: fn(&CaseResult) -> Vec<(&str, f64)>| {
+        let (a, b) = (of(claimed), of(found));
+        a.len() == b.len()
+            && a.iter().zip(&b).all(|(a, b)| a.0 == b.0 && near(Some(a.1), Some(b.1)))
+    };
     let welds = claimed.welds.len() == found.welds.len()
         && claimed.welds.iter().zip(&found.welds).all(|(a, b)| {
             a.weld == b.weld
@@ -48,18 +47,6 @@ pub fn derived_differences(claimed: &CaseResult, found: &CaseResult) -> Vec<Stri
                 && near(a.share, b.share)
                 && near(a.work, b.work)
         });
-    let support_slip = claimed.support_slip.len() == found.support_slip.len()
-        && claimed
-            .support_slip
-            .iter()
-            .zip(&found.support_slip)
-            .all(|(a, b)| a.support == b.support && near(Some(a.share), Some(b.share)));
-    let tie_slip = claimed.tie_slip.len() == found.tie_slip.len()
-        && claimed
-            .tie_slip
-            .iter()
-            .zip(&found.tie_slip)
-            .all(|(a, b)| a.tie == b.tie && near(Some(a.share), Some(b.share)));
     let yielding = claimed.yielding.len() == found.yielding.len()
         && claimed.yielding.iter().zip(&found.yielding).all(|(a, b)| {
             a.part == b.part
@@ -85,10 +72,10 @@ pub fn derived_differences(claimed: &CaseResult, found: &CaseResult) -> Vec<Stri
         ("frictionless", raw(claimed.frictionless, found.frictionless)),
         ("associated", raw(claimed.associated, found.associated)),
         ("preload", preload),
-        ("dissipation", shares),
+        ("dissipation", shares(dissipation)),
         ("welds", welds),
-        ("support_slip", support_slip),
-        ("tie_slip", tie_slip),
+        ("support_slip", shares(support_slip)),
+        ("tie_slip", shares(tie_slip)),
         (
             "load_displacement_at_least",
             near(claimed.load_displacement_at_least, found.load_displacement_at_least),
@@ -103,4 +90,19 @@ pub fn derived_differences(claimed: &CaseResult, found: &CaseResult) -> Vec<Stri
         .filter(|(_, agrees)| !agrees)
         .map(|(what, _)| format!("{}: {what} is not what the fields give", claimed.name))
         .collect()
+}
+
+/// Bodies with their shares in the dissipation.
+fn dissipation(c: &CaseResult) -> Vec<(&str, f64)> {
+    c.dissipation.iter().map(|p| (p.part.as_str(), p.share)).collect()
+}
+
+/// Supports with theirs.
+fn support_slip(c: &CaseResult) -> Vec<(&str, f64)> {
+    c.support_slip.iter().map(|s| (s.support.as_str(), s.share)).collect()
+}
+
+/// Ties with theirs.
+fn tie_slip(c: &CaseResult) -> Vec<(&str, f64)> {
+    c.tie_slip.iter().map(|s| (s.tie.as_str(), s.share)).collect()
 }
