@@ -9,6 +9,7 @@ gmsh_version=4.15.2
 mmgpy_version=0.17.1
 meshio_version=5.3.5
 ezdxf_version=1.4.5
+playwright_version=1.65.2
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
 venv=$root/.venv
 test=no
@@ -57,6 +58,8 @@ missing_packages() {
     [ -n "$(find_python)" ] || echo python3-venv
     # the tests read what report.pdf says
     [ "$test" = no ] || command -v pdftotext >/dev/null 2>&1 || echo poppler-utils
+    # the tests use report.html in a browser
+    [ "$test" = no ] || command -v chromium >/dev/null 2>&1 || echo chromium
     # a mesher that runs has all its libraries, wherever they are
     if mesher_runs; then return; fi
     cache=$(ldconfig -p 2>/dev/null || true)
@@ -132,6 +135,7 @@ try mmgpy "$mmgpy_version" --no-deps || :
 if [ "$test" = yes ]; then
     want meshio "$meshio_version"
     want ezdxf "$ezdxf_version"
+    want playwright "$playwright_version"
     "$venv/bin/python" -c 'import numpy' 2>/dev/null ||
         "$venv/bin/python" -m pip install --quiet --disable-pip-version-check numpy >&2 ||
         stop "pip could not install numpy; is the package index reachable?"

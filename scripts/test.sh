@@ -48,6 +48,8 @@ else
     not_run="$not_run cargo-deny"
 fi
 step "${PWD}/scripts/examples.sh"
+# the pages of joints with bolts, used as a reader would
+step .venv/bin/python scripts/page_in_browser.py results/one_sided_unstiffened results/splice_flush
 # two minutes, most of them Slurm's pause before a requeued task: a real Slurm on this machine
 if [ "$heavy" = yes ]; then
     step "${PWD}/scripts/slurm_test.sh"

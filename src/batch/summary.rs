@@ -5,6 +5,7 @@ use super::choice_table::Shown;
 use super::counts::Counts;
 use super::row::Outcome;
 use crate::math::figures::Rounding;
+use crate::report::escaped::{escaped, inside_script};
 use serde_json::{Map, Value};
 
 /// Style of the page.
@@ -12,31 +13,6 @@ const STYLE: &str = include_str!("summary/summary.css");
 
 /// Sorting, filtering and the chart.
 const SCRIPT: &str = include_str!("summary/summary.js");
-
-/// A text as HTML.
-fn escaped(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            '\'' => out.push_str("&#39;"),
-            c => out.push(c),
-        }
-    }
-    out
-}
-
-/// JSON that may stand inside a `script` element: no `<` can end it.
-fn inside_script(value: &Value) -> String {
-    value
-        .to_string()
-        .replace('<', "\\u003c")
-        .replace('\u{2028}', "\\u2028")
-        .replace('\u{2029}', "\\u2029")
-}
 
 /// Rows that the page holds: a browser sorts and filters so many without delay.
 const MOST_ROWS: usize = 20_000;
@@ -111,7 +87,7 @@ pub fn page(
     }
     let data = Value::Array(shown.into_iter().cloned().map(Value::Object).collect());
     out.push_str("<script type=\"application/json\" id=\"data\">");
-    out.push_str(&inside_script(&data));
+    out.push_str(&inside_script(&data.to_string()));
     out.push_str(&format!("</script>\n<script>\n{SCRIPT}</script>\n</body></html>\n"));
     out
 }

@@ -33,6 +33,7 @@ mod transformation;
 mod tying;
 mod weld_checks;
 mod welded_steel;
+mod welds_list;
 
 pub use clamped_plates::stocked_length;
 pub use comparison::Comparison;
@@ -40,6 +41,7 @@ pub use diagram::{MomentAxial, moment_axial};
 pub use hand_checks::HandChecks;
 pub use joint_stiffness::{FrameClass, JointStiffness, PureMoment};
 pub use parts_list::{PartItem, PartSize, parts_list, total_mass};
+pub use welds_list::{WeldItem, welds_list};
 
 use crate::assembly::EndPlate;
 use rotation_rules::RotationRules;

@@ -9,6 +9,7 @@ use crate::diag::Diagnostics;
 use crate::driver::passes::Kept;
 use crate::driver::pictures::{enlargement, png};
 use crate::math::vec3::{self, V3};
+use crate::mesh::TetMesh;
 use crate::model::AnalysisModel;
 use crate::report::draw::raster::{Colours, Deformed, Field, PictureOptions, draw};
 use crate::report::draw::section::{Plane, Section};
@@ -201,7 +202,7 @@ impl Zones {
         displaced: Option<(&[V3], f64)>,
     ) -> Result<(Vec<Vec<u8>>, String), Diagnostics> {
         let whole = Whole::of(&model.mesh, mirror);
-        let values = self.at_nodes(model);
+        let values = at_nodes(&model.mesh, &self.densities);
         let mut mesh = whole.mesh.clone();
         let mut values = whole.scalars(&values);
         let mut moved = displaced.map(|(u, _)| whole.vectors(u));
@@ -251,35 +252,6 @@ impl Zones {
         Ok((pictures, words))
     }
 
-    /// Densities at the nodes, relative to the density above which lies the bright part of the
-    /// whole.
-    fn at_nodes(&self, model: &AnalysisModel) -> Vec<f64> {
-        let mesh = &model.mesh;
-        let volumes: Vec<f64> = (0..mesh.tets.len()).map(|e| mesh.volume(e)).collect();
-        let mut order: Vec<usize> = (0..mesh.tets.len()).collect();
-        order.sort_by(|a, b| self.densities[*b].total_cmp(&self.densities[*a]).then(a.cmp(b)));
-        let total: f64 = self.densities.iter().zip(&volumes).map(|(d, v)| d * v).sum();
-        let mut sum = 0.0;
-        let mut top = 0.0;
-        for e in order {
-            sum += self.densities[e] * volumes[e];
-            top = self.densities[e];
-            if sum >= BRIGHT * total {
-                break;
-            }
-        }
-        let top = if top > 0.0 { top } else { 1.0 };
-        let mut nodes = vec![(0.0, 0.0); mesh.nodes.len()];
-        for (e, tet) in mesh.tets.iter().enumerate() {
-            tet.iter().for_each(|&n| {
-                let sum = &mut nodes[n as usize];
-                *sum = (sum.0 + volumes[e] * self.densities[e], sum.1 + volumes[e]);
-            });
-        }
-        let mean = |(d, v): (f64, f64)| if v > 0.0 { d / v / top } else { 0.0 };
-        nodes.into_iter().map(mean).collect()
-    }
-
     /// The cut through the slice with the largest sum, as seen from the nearer side; `None` where
     /// nothing is to be seen or little hides it.
     fn plane(&self, model: &AnalysisModel, axis: usize, mirrored: bool) -> Option<Plane> {
@@ -301,6 +273,34 @@ impl Zones {
         let removes_above = mirrored || place >= 0.5 * (low + high);
         Some(Plane { axis, at: place, removes_above })
     }
+}
+
+/// Densities at the nodes, relative to the density above which lies the bright part of the
+/// whole.
+pub fn at_nodes(mesh: &TetMesh, densities: &[f64]) -> Vec<f64> {
+    let volumes: Vec<f64> = (0..mesh.tets.len()).map(|e| mesh.volume(e)).collect();
+    let mut order: Vec<usize> = (0..mesh.tets.len()).collect();
+    order.sort_by(|a, b| densities[*b].total_cmp(&densities[*a]).then(a.cmp(b)));
+    let total: f64 = densities.iter().zip(&volumes).map(|(d, v)| d * v).sum();
+    let mut sum = 0.0;
+    let mut top = 0.0;
+    for e in order {
+        sum += densities[e] * volumes[e];
+        top = densities[e];
+        if sum >= BRIGHT * total {
+            break;
+        }
+    }
+    let top = if top > 0.0 { top } else { 1.0 };
+    let mut nodes = vec![(0.0, 0.0); mesh.nodes.len()];
+    for (e, tet) in mesh.tets.iter().enumerate() {
+        tet.iter().for_each(|&n| {
+            let sum = &mut nodes[n as usize];
+            *sum = (sum.0 + volumes[e] * densities[e], sum.1 + volumes[e]);
+        });
+    }
+    let mean = |(d, v): (f64, f64)| if v > 0.0 { d / v / top } else { 0.0 };
+    nodes.into_iter().map(mean).collect()
 }
 
 /// Diagonal of the box around points \[mm\].

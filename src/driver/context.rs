@@ -47,6 +47,8 @@ pub struct RunContext {
     pub plate_dxf: Option<String>,
     /// Bolts and plates.
     pub schedule: Table,
+    /// Welds.
+    pub welds: Table,
     /// Positions of the bolts.
     pub bolts: Vec<BoltLine>,
     /// The requested polygon.

@@ -8,12 +8,15 @@ use crate::driver::context::RunContext;
 use crate::report::console::answer::answer;
 use crate::report::console::log::Log;
 use crate::report::draw::dxf::DXF_FILE;
-use crate::report::html;
+use crate::report::draw::moment_rotation;
 use crate::report::markdown::compose::report_markdown;
 use crate::report::markdown::report_data::ModelTraits;
 use crate::report::markdown::report_data::PictureRef;
 use crate::report::markdown::report_data::{GivenActions, REPORT_DATA_FILE, ReportData};
+use crate::report::page::scene::Scene;
+use crate::report::page::{self, PAGE_FILE};
 use crate::report::printed;
+use crate::report::sheet::build::sheet;
 use crate::report::sheet::{Extent, PDF_FILE, Paper};
 use crate::result::folder::ResultFolder;
 use crate::result::result_file::CaseResult;
@@ -31,6 +34,8 @@ pub struct Analyses {
     pub interrupted: bool,
     /// Pictures in the folder.
     pub pictures: Vec<PictureRef>,
+    /// Meshes and fields for the 3-D view.
+    pub scene: Scene,
     /// Properties of the models.
     pub traits: ModelTraits,
     /// Decisions and remarks of the reader of the model file.
@@ -97,6 +102,11 @@ fn write(
     if let Some(dxf) = &context.plate_dxf {
         folder.write(DXF_FILE, dxf.as_bytes())?;
     }
+    let mut drawings: Vec<PictureRef> = context.drawings.into_iter().map(|d| d.0).collect();
+    if let Some((drawing, text)) = moment_rotation::drawing(&result) {
+        folder.write(&drawing.file, text.as_bytes())?;
+        drawings.push(drawing);
+    }
     let given = context.demands.into_iter();
     let given = given.map(|d| GivenActions { case: d.case, actions: d.actions }).collect();
     let data = ReportData {
@@ -108,8 +118,9 @@ fn write(
         resolved: context.resolved,
         demands: given,
         catalogue_rows: context.catalogue_rows,
-        drawings: context.drawings.into_iter().map(|d| d.0).collect(),
+        drawings,
         schedule: context.schedule,
+        welds: context.welds,
         pictures: analyses.pictures,
         mesh_quality: context.mesh_quality,
         model: analyses.traits,
@@ -120,7 +131,11 @@ fn write(
     folder.write(REPORT_DATA_FILE, data.to_json()?.as_bytes())?;
     let report = report_markdown(&data);
     folder.write("report.md", report.as_bytes())?;
-    html::write(folder, &report)?;
+    let mut scene = analyses.scene;
+    scene.add_facts(&data.result);
+    let picture = |name: &str| printed::picture(folder.path(), name);
+    let html = page::page(&sheet(&data, Extent::Full, Paper::A4), &scene, picture)?;
+    folder.write(PAGE_FILE, html.as_bytes())?;
     // the bounds do not depend on it: a report that cannot be set is no reason to lose them
     if cfg!(feature = "pdf") {
         match printed::pdf(&data, folder.path(), Extent::Short, Paper::A4) {

@@ -24,6 +24,7 @@ pub mod polygon;
 pub mod remesh;
 pub mod run_cases;
 pub mod run_spec;
+pub mod scene;
 pub mod sequence;
 pub mod spec_cases;
 pub mod spec_checks;

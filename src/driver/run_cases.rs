@@ -14,11 +14,13 @@ use crate::driver::pass_entry::lower_stress;
 use crate::driver::passes::{Kept, Share};
 use crate::driver::pictures::{contact_pictures, convergence, deformed_picture, mesh_picture};
 use crate::driver::polygon::Directions;
+use crate::driver::scene::add_case;
 use crate::model::AnalysisModel;
 use crate::report::console::log::Log;
 use crate::report::draw::polygon;
 use crate::report::markdown::report_data::ModelTraits;
 use crate::report::markdown::report_data::PictureRef;
+use crate::report::page::scene::Scene;
 use crate::result::demand::Demand;
 use crate::result::folder::ResultFolder;
 use crate::result::forces::static_forces;
@@ -45,6 +47,7 @@ pub fn run_cases(
     let asked: Vec<String> = cases.iter().map(|c| c.name.clone()).collect();
     let mut analyses = Analyses {
         asked: asked.clone(),
+        scene: Scene::new(&context.mirror),
         traits: ModelTraits { facets: true, symmetry: symmetry > 1, ..ModelTraits::default() },
         ..Analyses::default()
     };
@@ -86,6 +89,8 @@ pub fn run_cases(
         }
         let names = (asked[i].as_str(), stem);
         pictures.extend(collapse_pictures(&upper, best, names, &context.mirror, &folder)?);
+        let stress = lower_stress(&best.outcome, &entry);
+        add_case(&mut analyses.scene, &asked[i], &upper, best, stress);
         pictures.extend(deformed_picture(
             &upper.outcome,
             &asked[i],

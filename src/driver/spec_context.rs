@@ -2,7 +2,7 @@
 
 use crate::assembly::assembly::{PartMaterial, PartRole};
 use crate::checks::check::number;
-use crate::checks::end_plate::{moment_axial, parts_list, stocked_length};
+use crate::checks::end_plate::{moment_axial, parts_list, stocked_length, welds_list};
 use crate::checks::{HandChecks, hand_checks};
 use crate::diag::Diagnostics;
 use crate::driver::context::RunContext;
@@ -61,6 +61,8 @@ pub fn spec_context(
         plate_dxf: end_plate.map(|e| dxf::end_plate(e, plates(input))),
         schedule: end_plate
             .map_or_else(Default::default, |e| schedule::schedule(&parts_list(e, plates(input)))),
+        welds: end_plate
+            .map_or_else(Default::default, |e| schedule::welds(&welds_list(e, plates(input)))),
         bolts: input.joint.bolts.clone(),
         ..RunContext::default()
     })

@@ -66,6 +66,12 @@ pub fn deviator(s: &Mandel) -> [f64; 5] {
     DEVIATORIC.map(|d| dot(&d, s))
 }
 
+/// Von Mises stress `√(3/2) ‖dev σ‖` \[MPa\].
+pub fn von_mises(s: &Mandel) -> f64 {
+    let p = (s[0] + s[1] + s[2]) / 3.0;
+    1.5f64.sqrt() * norm(&[s[0] - p, s[1] - p, s[2] - p, s[3], s[4], s[5]])
+}
+
 /// Radius of the von Mises yield surface, `‖dev σ‖ ≤ √(2/3) f_y` \[MPa\].
 pub fn yield_radius(fy: f64) -> f64 {
     (2.0f64 / 3.0).sqrt() * fy

@@ -2,9 +2,10 @@
 
 pub mod console;
 pub mod draw;
+pub mod escaped;
 pub mod figures;
-pub mod html;
 pub mod markdown;
+pub mod page;
 #[cfg(feature = "pdf")]
 pub mod pdf;
 pub mod printed;

@@ -3,9 +3,7 @@
 use crate::diag::Diagnostic;
 use crate::report::markdown::report_data::ReportData;
 use crate::report::sheet::{Extent, Paper};
-#[cfg(feature = "pdf")]
-use std::path::Component;
-use std::path::Path;
+use std::path::{Component, Path};
 
 /// The bytes of the PDF, with the pictures in the result folder.
 #[cfg(feature = "pdf")]
@@ -28,8 +26,7 @@ pub fn pdf(_: &ReportData, _: &Path, _: Extent, _: Paper) -> Result<Vec<u8>, Box
 }
 
 /// A picture of a result folder; `None` if there is none of this name.
-#[cfg(feature = "pdf")]
-fn picture(folder: &Path, name: &str) -> Option<Vec<u8>> {
+pub fn picture(folder: &Path, name: &str) -> Option<Vec<u8>> {
     let mut parts = Path::new(name).components();
     let inside = matches!((parts.next(), parts.next()), (Some(Component::Normal(_)), None));
     inside.then(|| std::fs::read(folder.join(name)).ok()).flatten()

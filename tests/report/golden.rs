@@ -229,6 +229,10 @@ fn data() -> ReportData {
             columns: ["part", "number", "all [kg]"].map(String::from).to_vec(),
             rows: vec![["bolt", "12", "4.35"].map(String::from).to_vec()],
         },
+        welds: Table {
+            columns: ["weld", "seams", "all [mm]"].map(String::from).to_vec(),
+            rows: vec![["beam web", "2", "542"].map(String::from).to_vec()],
+        },
         pictures: vec![PictureRef { file: "mesh.png".into(), caption: "The meshed joint".into() }],
         mesh_quality: Table {
             columns: ["body", "tets", "least dihedral [°]"].map(String::from).to_vec(),

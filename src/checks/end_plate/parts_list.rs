@@ -7,7 +7,7 @@ use crate::catalog::BoltSize;
 use std::f64::consts::PI;
 
 /// Density of steel \[kg/mm³\], EN 1991-1-1 Table A.4 and EN 1993-1-1 3.2.6 as used in practice.
-const DENSITY: f64 = 7.85e-6;
+pub(super) const DENSITY: f64 = 7.85e-6;
 
 /// The sizes of a part. Lengths in mm.
 #[derive(Clone, Debug, PartialEq)]

@@ -7,41 +7,49 @@ use crate::report::figures::{Rounding, significant};
 const SIDE: f64 = 420.0;
 const MARGIN: f64 = 72.0;
 
-/// A square frame that shows −reach to +reach on either axis.
+/// A square frame that shows −reach to +reach on either axis, or 0 to reach.
 pub(crate) struct Axes {
+    low: [f64; 2],
     reach: [f64; 2],
 }
 
 impl Axes {
     /// Axes with a margin beyond the largest values.
     pub fn new(largest: [f64; 2]) -> Self {
-        Self { reach: largest.map(|r| if r > 0.0 { 1.08 * r } else { 1.0 }) }
+        let quadrant = Self::quadrant(largest);
+        Self { low: quadrant.reach.map(|r| -r), ..quadrant }
     }
 
-    /// Half of the range of each axis.
+    /// Axes of values that are not negative.
+    pub fn quadrant(largest: [f64; 2]) -> Self {
+        let reach = largest.map(|r| if r > 0.0 { 1.08 * r } else { 1.0 });
+        Self { low: [0.0; 2], reach }
+    }
+
+    /// Upper end of each axis.
     pub fn reach(&self) -> [f64; 2] {
         self.reach
     }
 
     /// Position of a point in the plot \[pixels\].
     pub fn at(&self, c: [f64; 2]) -> [f64; 2] {
-        let part = |k: usize| c[k] / self.reach[k];
-        [MARGIN + 0.5 * SIDE * (1.0 + part(0)), LINE + 0.5 * SIDE * (1.0 - part(1))]
+        let part = |k: usize| (c[k] - self.low[k]) / (self.reach[k] - self.low[k]);
+        [MARGIN + SIDE * part(0), LINE + SIDE * (1.0 - part(1))]
     }
 
     /// Draws the frame with its ticks. `names` are the quantities to the right and upwards. Returns
     /// the point where a legend begins.
     pub fn draw(&self, d: &mut Drawing, names: [&str; 2]) -> [f64; 2] {
-        let reach = self.reach;
-        let [left, top] = self.at([-reach[0], reach[1]]);
-        let [right, bottom] = self.at([reach[0], -reach[1]]);
+        let (low, reach) = (self.low, self.reach);
+        let [left, top] = self.at([low[0], reach[1]]);
+        let [right, bottom] = self.at([reach[0], low[1]]);
         d.rectangle(Pen::Thin, "none", [left, top], [right, bottom]);
-        d.line(Pen::Thin, self.at([-reach[0], 0.0]), self.at([reach[0], 0.0]));
-        d.line(Pen::Thin, self.at([0.0, -reach[1]]), self.at([0.0, reach[1]]));
+        d.line(Pen::Thin, self.at([low[0], 0.0]), self.at([reach[0], 0.0]));
+        d.line(Pen::Thin, self.at([0.0, low[1]]), self.at([0.0, reach[1]]));
         for axis in 0..2 {
-            let by = step(2.0 * reach[axis]);
-            let last = (reach[axis] / by).floor() as i32;
-            for k in -last..=last {
+            let by = step(reach[axis] - low[axis]);
+            let ends = [low, reach].map(|e| (e[axis] / by).abs().floor() as i32);
+            for k in -ends[0]..=ends[1] {
                 let value = f64::from(k) * by;
                 let text = significant(value, 3, Rounding::Nearest).replace('-', "−");
                 if axis == 0 {

@@ -7,6 +7,7 @@
 use crate::assembly::{EndPlate, PlaneActions};
 use crate::checks::check::{Unit, number as n};
 use crate::report::draw::svg::{Anchor, Drawing, LINE, Pen};
+use crate::report::draw::weld_symbol::weld_symbol;
 
 /// Height of the joint on the page \[pixels\].
 const HEIGHT: f64 = 380.0;
@@ -109,6 +110,10 @@ fn side_view(d: &mut Drawing, e: &EndPlate, s: &Scale, both: bool, [low, high]: 
         }
         break_line(d, s.at(end, -half), s.at(end, half));
     }
+    let [start, end] = [0.0, stub].map(|x| face + e.thickness + x);
+    let place = s.at(start + 0.32 * (end - start), 0.0);
+    weld_symbol(d, s.at(start, half), [place[0], s.at(0.0, high)[1]], e.flange_throat);
+    weld_symbol(d, s.at(start, 0.1 * half), place, e.web_throat);
     // drawn last, over the parts that they pass through
     for &side in sides {
         if e.column.is_some() || side > 0.0 {

@@ -8,6 +8,7 @@ pub mod dxf;
 pub mod legend;
 pub mod lettering;
 pub mod moment_axial;
+pub mod moment_rotation;
 pub mod options;
 pub mod palette;
 pub mod plot;
@@ -17,6 +18,7 @@ pub mod section;
 pub mod surface;
 pub mod svg;
 pub mod view;
+pub mod weld_symbol;
 pub mod whole;
 
 pub use canvas::Picture;

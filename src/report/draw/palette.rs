@@ -50,7 +50,17 @@ const VIOLET: [Rgb; 7] = [
 ];
 
 impl Colours {
-    fn stops(self) -> &'static [Rgb; 7] {
+    /// Name in a page.
+    pub fn name(self) -> &'static str {
+        match self {
+            Colours::Spectrum => "spectrum",
+            Colours::Fire => "fire",
+            Colours::Violet => "violet",
+        }
+    }
+
+    /// Colours from low to high.
+    pub fn stops(self) -> &'static [Rgb; 7] {
         match self {
             Colours::Spectrum => &SPECTRUM,
             Colours::Fire => &FIRE,
@@ -60,13 +70,16 @@ impl Colours {
 }
 
 /// Groups of bodies that share a colour: bodies whose names agree up to the first `_` or digit.
-pub(super) struct Groups {
+pub struct Groups {
+    /// Their names.
     pub names: Vec<String>,
+    /// Group of each body.
     pub of_body: Vec<usize>,
 }
 
 impl Groups {
-    pub(super) fn of(bodies: &[String]) -> Self {
+    /// The groups of bodies with these names.
+    pub fn of(bodies: &[String]) -> Self {
         let mut names: Vec<String> = Vec::new();
         let of_body = bodies
             .iter()
@@ -84,8 +97,13 @@ impl Groups {
     }
 
     pub(super) fn colour(&self, body: u32) -> Rgb {
-        BODY_COLOURS[self.of_body.get(body as usize).copied().unwrap_or(0) % BODY_COLOURS.len()]
+        group_colour(self.of_body.get(body as usize).copied().unwrap_or(0))
     }
+}
+
+/// Colour of a group of bodies.
+pub fn group_colour(group: usize) -> Rgb {
+    BODY_COLOURS[group % BODY_COLOURS.len()]
 }
 
 /// Bands of a field, with round limits.

@@ -3,6 +3,7 @@
 
 use crate::report::draw::canvas::{Canvas, Picture, Rgb};
 use crate::report::draw::lettering::text_width;
+use crate::report::escaped::escaped;
 use std::fmt::Write;
 
 /// Size \[pixels\].
@@ -227,7 +228,7 @@ impl Plot {
                     )
                 }
                 Mark::Text { at: [x, y], text, colour } => {
-                    let text = text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
+                    let text = escaped(&text);
                     writeln!(
                         out,
                         "<text x=\"{x:.1}\" y=\"{y:.1}\" fill=\"{}\">{text}</text>",

@@ -1,5 +1,6 @@
 //! Line drawings as SVG text: strokes, arrows, texts that do not overlap, chains of dimensions.
 
+use crate::report::escaped::escaped;
 use std::fmt::Write;
 
 /// Height of the letters \[pixels\].
@@ -111,6 +112,16 @@ impl Drawing {
         self.head(to, [to[0] - from[0], to[1] - from[1]]);
     }
 
+    /// A thin line with a small arrow that ends at `to`.
+    pub fn leader(&mut self, from: [f64; 2], to: [f64; 2]) {
+        self.line(Pen::Thin, from, to);
+        let [dx, dy] = [to[0] - from[0], to[1] - from[1]];
+        let length = dx.hypot(dy).max(f64::MIN_POSITIVE);
+        let [dx, dy] = [dx / length, dy / length];
+        let at = |side: f64| [to[0] - 7.0 * dx - side * dy, to[1] - 7.0 * dy + side * dx];
+        self.polygon(Pen::Thin, "#5a5a5a", &[to, at(2.5), at(-2.5)]);
+    }
+
     fn head(&mut self, tip: [f64; 2], direction: [f64; 2]) {
         let length = direction[0].hypot(direction[1]).max(f64::MIN_POSITIVE);
         let [dx, dy] = direction.map(|c| c / length);
@@ -153,7 +164,7 @@ impl Drawing {
         };
         self.labels.push([left, y - 0.5 * LETTERS, left + width, y + 0.5 * LETTERS]);
         self.reach(left + width, y + LETTERS);
-        let text = text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
+        let text = escaped(text);
         let base = y + 0.36 * LETTERS;
         let _ = writeln!(
             self.body,
@@ -206,7 +217,7 @@ impl Drawing {
     /// The text of the SVG file.
     pub fn finish(self, title: &str) -> String {
         let [width, height] = self.size.map(|s| (s + 16.0).ceil());
-        let title = title.replace('&', "&amp;").replace('<', "&lt;");
+        let title = escaped(title);
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
              viewBox=\"0 0 {width} {height}\" font-family=\"sans-serif\" font-size=\"{LETTERS}\" \

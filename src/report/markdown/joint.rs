@@ -1,9 +1,9 @@
-//! The section on the joint: drawings and the list of bolts, plates and stiffeners.
+//! The section on the joint: drawings and the lists of bolts, plates, stiffeners and welds.
 
 use crate::report::markdown::markup::{heading, inline, paragraph, table};
 use crate::report::markdown::report_data::ReportData;
 
-/// Drawings, bolts and plates.
+/// Drawings, bolts, plates and welds.
 pub(crate) fn joint(page: &mut String, data: &ReportData) {
     if data.drawings.is_empty() && data.schedule.rows.is_empty() {
         return;
@@ -19,5 +19,9 @@ pub(crate) fn joint(page: &mut String, data: &ReportData) {
              are not listed:",
         );
         table(page, &data.schedule);
+    }
+    if !data.welds.rows.is_empty() {
+        paragraph(page, "Welds, with the metal of fillets of equal legs:");
+        table(page, &data.welds);
     }
 }

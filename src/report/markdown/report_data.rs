@@ -34,6 +34,9 @@ pub struct ReportData {
     pub drawings: Vec<PictureRef>,
     /// Bolts, plates and their masses; empty if they are not known.
     pub schedule: Table,
+    /// Welds; empty if they are not known.
+    #[serde(default)]
+    pub welds: Table,
     /// Pictures of the result folder.
     pub pictures: Vec<PictureRef>,
     /// Quality of the last mesh, usually one row for each body.

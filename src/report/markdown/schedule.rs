@@ -1,7 +1,7 @@
-//! The list of bolts with their lengths, plates and stiffeners, with masses.
+//! The lists of bolts with their lengths, plates and stiffeners, and of welds, with masses.
 
 use crate::checks::check::number as n;
-use crate::checks::end_plate::{PartItem, PartSize};
+use crate::checks::end_plate::{PartItem, PartSize, WeldItem};
 use crate::report::markdown::markup::strings;
 use crate::report::markdown::report_data::Table;
 
@@ -13,7 +13,7 @@ pub fn schedule(items: &[PartItem]) -> Table {
             PartSize::Bolt { size, length, grip } => {
                 let long = length
                     .map_or_else(|| "longer than stocked".into(), |l| format!("{size} × {}", n(l)));
-                format!("{long}, grip {} mm, 2 washers", n(*grip))
+                format!("{long}, grip {} mm, with nut and 2 washers", n(*grip))
             }
             PartSize::Plate(sizes) => sizes.map(n).join(" × "),
         };
@@ -25,4 +25,21 @@ pub fn schedule(items: &[PartItem]) -> Table {
         columns: strings(["part", "number", "size [mm]", "steel", "each [kg]", "all [kg]"]),
         rows: items.iter().map(row).collect(),
     }
+}
+
+/// The welds of a joint as a table.
+pub fn welds(items: &[WeldItem]) -> Table {
+    let row = |i: &WeldItem| {
+        let kind = match i.throat {
+            0.0 => "full penetration".into(),
+            a => format!("fillet, a = {}", n(a)),
+        };
+        let length = i.length.map_or("as drawn".into(), n);
+        let all = i.length.map_or("–".into(), |l| n(l * i.count as f64));
+        let mass = i.mass().map_or("–".into(), |m| format!("{m:.2}"));
+        vec![i.place.into(), kind, i.count.to_string(), length, all, mass]
+    };
+    let columns =
+        ["weld", "kind [mm]", "seams", "length of each [mm]", "all [mm]", "weld metal [kg]"];
+    Table { columns: strings(columns), rows: items.iter().map(row).collect() }
 }

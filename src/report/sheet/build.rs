@@ -2,19 +2,22 @@
 
 use super::blocks::{Block, Grid, plain, section, sentence};
 use super::formula::{Piece, pieces};
+use super::fraction::formula;
 use super::{
-    Bar, CaseAnswer, Entry, Extent, Paper, Picture, Section, Sheet, SummaryLine, TopicSheet,
-    VerdictBox, WorkedRow,
+    Bar, BarLabels, CaseAnswer, Extent, Paper, Section, Sheet, SummaryLine, TopicSheet, VerdictBox,
+    WorkedRow,
 };
 use crate::checks::check::number;
 use crate::checks::verdict::Verdict;
 use crate::checks::{Check, Status};
+use crate::report::figures::{Rounding, significant};
 use crate::report::markdown::answer::answer;
 use crate::report::markdown::assumptions::assumptions;
 use crate::report::markdown::collapse::mechanism;
 use crate::report::markdown::demand::actions;
-use crate::report::markdown::hand_checks::{TOPICS, value_of};
-use crate::report::markdown::report_data::{PictureRef, ReportData, ResolvedValue, Table};
+use crate::report::markdown::hand_checks::{TOPICS, place, status, value_of};
+use crate::report::markdown::report_data::{ReportData, ResolvedValue, Table};
+use crate::report::markdown::verdict::parts;
 use crate::report::markdown::warnings::all_warnings;
 use crate::report::markdown::words::analysis_word;
 use crate::report::markdown::yielding::yielding;
@@ -32,8 +35,6 @@ pub fn sheet(data: &ReportData, extent: Extent, paper: Paper) -> Sheet {
     let running: Vec<String> =
         running.iter().filter_map(|(n, word)| Some(format!("{word}{}", value(n)?))).collect();
     let full = extent == Extent::Full;
-    let entry =
-        |(name, value): &(String, String)| Entry { name: name.clone(), value: value.clone() };
     let tool = &data.result.tool;
     Sheet {
         extent,
@@ -42,17 +43,18 @@ pub fn sheet(data: &ReportData, extent: Extent, paper: Paper) -> Sheet {
         running: running.join(", "),
         author: value("author").unwrap_or_default(),
         date: value("date").and_then(|d| date(&d)),
-        project: data.project.iter().skip(1).map(entry).collect(),
+        project: data.project.iter().skip(1).cloned().collect(),
         software: format!("{} {}", tool.name, tool.version),
         hash: data.result.input_hash.clone(),
         verdict: verdict(&data.result),
-        drawings: pictures(&data.drawings),
+        drawings: data.drawings.clone(),
         actions: grid(&actions(&data.result, &data.demands)),
         summary: summary_rows(&data.result).into_iter().map(summary_line).collect(),
         answers: data.result.cases.iter().map(|c| case_answer(c, data)).collect(),
-        pictures: pictures(&data.pictures),
+        pictures: data.pictures.clone(),
         design_values: design_values(&data.resolved),
         schedule: grid(&data.schedule),
+        welds: grid(&data.welds),
         warnings: all_warnings(data).iter().map(|w| sentence(w)).collect(),
         topics: if full { topics(&data.result.checks) } else { Vec::new() },
         assumptions: assumptions(data).iter().map(|a| sentence(a)).collect(),
@@ -84,11 +86,6 @@ fn date(text: &str) -> Option<[u32; 3]> {
     ((1000..=9999).contains(&year) && (1..=days).contains(&day)).then_some([year, month, day])
 }
 
-fn pictures(refs: &[PictureRef]) -> Vec<Picture> {
-    let one = |p: &PictureRef| Picture { file: p.file.clone(), caption: p.caption.clone() };
-    refs.iter().map(one).collect()
-}
-
 fn grid(table: &Table) -> Grid {
     let number = |c: usize| {
         let mut cells = table.rows.iter().filter_map(|r| r.get(c)).filter(|t| !t.is_empty());
@@ -111,20 +108,14 @@ fn verdict(result: &ResultFile) -> VerdictBox {
         };
         return VerdictBox { word, tone, reason: pieces(reason), parts: Vec::new() };
     };
-    let part = |name: &str, v: Verdict, on: &str| {
+    let part = |(name, v, on): (&str, Verdict, &str)| {
         (name.to_string(), v.words().to_string(), Tone::from(v), on.to_string())
     };
-    let analysis = match j.by_analysis {
-        Verdict::None => "no analysis of the resistance was run",
-        _ => "strict bounds of limit analysis, the lower one without friction",
-    };
-    let code = "binding checks of EN 1993; strength by the component method where no limit \
-                analysis decides";
     VerdictBox {
         word,
         tone,
         reason: pieces(&format!("{}.", j.reason)),
-        parts: vec![part("by code", j.by_code, code), part("by analysis", j.by_analysis, analysis)],
+        parts: parts(j).into_iter().map(part).collect(),
     }
 }
 
@@ -154,7 +145,13 @@ fn bar(case: &CaseResult) -> Option<Bar> {
     let low = case.lower.unwrap_or(0.0);
     let methods = case.demand.iter().flat_map(|d| &d.component_method).filter_map(|c| c.factor);
     let method = methods.reduce(f64::min).filter(|f| f.is_finite() && *f > 0.0);
-    (low > 0.0 || up.is_some()).then_some(Bar { low, up, method })
+    let label = |x: f64, rounding| significant(x, 3, rounding);
+    let labels = BarLabels {
+        low: (low > 0.0).then(|| label(low, Rounding::Down)),
+        up: up.map(|u| label(u, Rounding::Up)),
+        method: method.map(|m| label(m, Rounding::Nearest)),
+    };
+    (low > 0.0 || up.is_some()).then_some(Bar { low, up, method, labels })
 }
 
 /// Partial factors, and strengths of the materials.
@@ -185,24 +182,22 @@ fn topics(checks: &[Check]) -> Vec<TopicSheet> {
 }
 
 fn worked(c: &Check) -> WorkedRow {
-    let case = c.case.as_ref().map_or(String::new(), |case| format!("{case}, "));
-    let (status, tone) = match c.status {
-        Status::Ok => ("OK", Tone::Good),
-        Status::Failed => ("FAILED", Tone::Bad),
-        Status::Undecided => ("UNDECIDED", Tone::Open),
-        Status::Warning => ("warning", Tone::Quiet),
-        Status::Information => ("information", Tone::Quiet),
+    let tone = match c.status {
+        Status::Ok => Tone::Good,
+        Status::Failed => Tone::Bad,
+        Status::Undecided => Tone::Open,
+        Status::Warning | Status::Information => Tone::Quiet,
     };
     // the same digits as in the summary
     let used = c.utilisation.map(number);
     WorkedRow {
-        of: format!("{case}{}", c.subject),
+        of: place(c),
         check: pieces(&c.title),
-        formula: pieces(&c.formula),
+        formula: formula(&c.formula),
         values: c.values.iter().map(|s| pieces(&value_of(s))).collect(),
         clause: c.clause.clone(),
         utilisation: used.unwrap_or_else(|| "–".into()),
-        status: status.into(),
+        status: status(c.status).into(),
         tone,
     }
 }

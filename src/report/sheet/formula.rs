@@ -1,5 +1,5 @@
-//! Formulas of checks as pieces with subscripts: `F_t,Rd = 0.9 f_ub A_s / γ_M2` in the notation of
-//! the checks.
+//! Texts with symbols as pieces: `F_t,Rd` is a letter with its subscript. The fractions of formulas
+//! are in [`super::fraction`].
 
 use serde::Serialize;
 
@@ -14,6 +14,19 @@ pub struct Piece {
     /// Subscript.
     #[serde(skip_serializing_if = "String::is_empty")]
     pub below: String,
+    /// Numerator of a fraction, which has no text.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub top: Vec<Piece>,
+    /// Its denominator.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub bottom: Vec<Piece>,
+}
+
+impl Piece {
+    /// A text without symbols.
+    pub fn text(text: impl Into<String>) -> Self {
+        Self { text: text.into(), ..Self::default() }
+    }
 }
 
 /// Marks that stand on the letter before them: the overline of λ̄.
@@ -21,9 +34,14 @@ fn is_mark(c: char) -> bool {
     ('\u{300}'..='\u{36f}').contains(&c)
 }
 
-/// The pieces of a formula. A letter is a symbol where a subscript follows it: `F_t,Rd`, `e1`.
-pub fn pieces(formula: &str) -> Vec<Piece> {
-    let chars: Vec<char> = formula.chars().collect();
+/// Raised digits, which belong to the symbol and not to its subscript.
+pub(super) fn is_power(c: char) -> bool {
+    matches!(c, '²' | '³' | '¹' | '⁴')
+}
+
+/// The pieces of a text. A letter is a symbol where a subscript follows it: `F_t,Rd`, `e1`.
+pub fn pieces(text: &str) -> Vec<Piece> {
+    let chars: Vec<char> = text.chars().collect();
     let mut out: Vec<Piece> = Vec::new();
     let mut i = 0;
     while i < chars.len() {
@@ -35,7 +53,7 @@ pub fn pieces(formula: &str) -> Vec<Piece> {
         let found = if word.is_empty() { None } else { below(&chars, start, i) };
         match found {
             Some((below, end)) => {
-                out.push(Piece { text: word, symbol: true, below });
+                out.push(Piece { text: word, symbol: true, below, ..Piece::default() });
                 i = end;
             }
             None => {
@@ -45,7 +63,7 @@ pub fn pieces(formula: &str) -> Vec<Piece> {
                 let text: String = chars[start..i].iter().collect();
                 match out.last_mut().filter(|last| !last.symbol) {
                     Some(last) => last.text.push_str(&text),
-                    None => out.push(Piece { text, ..Piece::default() }),
+                    None => out.push(Piece::text(text)),
                 }
             }
         }
@@ -68,7 +86,7 @@ fn below(chars: &[char], start: usize, end: usize) -> Option<(String, usize)> {
 
 /// The subscript from a place on: letters and digits, commas and dashes between them.
 fn subscript(chars: &[char], start: usize) -> Option<(String, usize)> {
-    let word = |c: Option<&char>| c.is_some_and(|c| c.is_alphanumeric());
+    let word = |c: Option<&char>| c.is_some_and(|c| c.is_alphanumeric() && !is_power(*c));
     let mut end = start;
     while end < chars.len() {
         let joins =
@@ -119,6 +137,7 @@ mod tests {
             ("order M16 × 50, 4 for each end plate", "order M16 × 50, 4 for each end plate"),
             ("e1 = 70 mm ≥ 1.2 d0", "[e|1] = 70 mm ≥ 1.2 [d|0]"),
             ("ΣF_t,Rd and 8.8", "[ΣF|t,Rd] and 8.8"),
+            ("A_w²/(4 t_w)", "[A|w]²/(4 [t|w])"),
         ] {
             assert_eq!(shown(formula), want);
         }

@@ -4,7 +4,9 @@
 pub mod blocks;
 pub mod build;
 pub mod formula;
+pub mod fraction;
 
+use crate::report::markdown::report_data::PictureRef;
 use crate::report::summary::{SummaryRow, Tone};
 use blocks::{Block, Grid, Text};
 use formula::Piece;
@@ -35,24 +37,6 @@ pub enum Paper {
     Letter,
 }
 
-/// A name with a value.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct Entry {
-    /// Name.
-    pub name: String,
-    /// Value.
-    pub value: String,
-}
-
-/// A picture of the result folder.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct Picture {
-    /// File name.
-    pub file: String,
-    /// Caption.
-    pub caption: String,
-}
-
 /// The verdict.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct VerdictBox {
@@ -67,7 +51,7 @@ pub struct VerdictBox {
 }
 
 /// The bracket of a load factor on an axis. Numbers are load factors.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Bar {
     /// Lower bound; 0 without one.
     pub low: f64,
@@ -75,6 +59,19 @@ pub struct Bar {
     pub up: Option<f64>,
     /// Load factor of the component method.
     pub method: Option<f64>,
+    /// The three as texts, bounds rounded outwards.
+    pub labels: BarLabels,
+}
+
+/// Texts of a bar.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct BarLabels {
+    /// Lower bound; absent without one.
+    pub low: Option<String>,
+    /// Upper bound.
+    pub up: Option<String>,
+    /// Load factor of the component method.
+    pub method: Option<String>,
 }
 
 /// The bounds of a load case.
@@ -154,8 +151,8 @@ pub struct Sheet {
     pub author: String,
     /// Date of the report as year, month, day; absent without one that can be read.
     pub date: Option<[u32; 3]>,
-    /// Title block.
-    pub project: Vec<Entry>,
+    /// Title block: names and values.
+    pub project: Vec<(String, String)>,
     /// Program and version.
     pub software: String,
     /// Hash of the input.
@@ -163,7 +160,7 @@ pub struct Sheet {
     /// Verdict.
     pub verdict: VerdictBox,
     /// Drawings of the joint and of its actions.
-    pub drawings: Vec<Picture>,
+    pub drawings: Vec<PictureRef>,
     /// Actions of the load cases, with what the joint carries.
     pub actions: Grid,
     /// Checks with a demand, worst first.
@@ -171,11 +168,13 @@ pub struct Sheet {
     /// Bounds of the load cases.
     pub answers: Vec<CaseAnswer>,
     /// Pictures of mesh and mechanism.
-    pub pictures: Vec<Picture>,
+    pub pictures: Vec<PictureRef>,
     /// Partial factors and strengths: symbol, of what, value.
     pub design_values: Vec<(Vec<Piece>, String, String)>,
     /// Bolts, plates and masses.
     pub schedule: Grid,
+    /// Welds.
+    pub welds: Grid,
     /// Warnings.
     pub warnings: Vec<Text>,
     /// Checks with their numbers; empty in the short report.

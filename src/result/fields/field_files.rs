@@ -93,14 +93,7 @@ pub fn stress_grid(model: &AnalysisModel, field: &StressField) -> VtuGrid {
         .flat_map(|e| SuperElement::points(&model.mesh.corners(e)).into_iter().flatten())
         .collect();
     let stress: Vec<Mandel> = field.points.iter().flatten().flatten().copied().collect();
-    let von_mises = stress
-        .iter()
-        .map(|s| {
-            let p = (s[0] + s[1] + s[2]) / 3.0;
-            let d = [s[0] - p, s[1] - p, s[2] - p, s[3], s[4], s[5]];
-            1.5f64.sqrt() * mandel::norm(&d)
-        })
-        .collect();
+    let von_mises = stress.iter().map(mandel::von_mises).collect();
     VtuGrid {
         cells: (0..points.len() as u32).collect(),
         points,

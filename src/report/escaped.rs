@@ -1,0 +1,37 @@
+//! Text of the user inside HTML, SVG and scripts, where it must stay text.
+
+/// A text for HTML and XML: elements and attributes. Control characters, which XML refuses, become
+/// the replacement character.
+pub fn escaped(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '"' => out.push_str("&quot;"),
+            '\'' => out.push_str("&#39;"),
+            '\n' | '\t' => out.push(c),
+            c if c.is_control() => out.push('\u{fffd}'),
+            c => out.push(c),
+        }
+    }
+    out
+}
+
+/// JSON that may stand inside a `script` element: no `<` can end it.
+pub fn inside_script(json: &str) -> String {
+    json.replace('<', "\\u003c").replace('\u{2028}', "\\u2028").replace('\u{2029}', "\\u2029")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nothing_ends_an_element_an_attribute_or_a_script() {
+        let text = "<b a='1' c=\"2\">&\u{7}\n";
+        assert_eq!(escaped(text), "&lt;b a=&#39;1&#39; c=&quot;2&quot;&gt;&amp;\u{fffd}\n");
+        assert_eq!(inside_script("\"</script>\u{2028}\""), "\"\\u003c/script>\\u2028\"");
+    }
+}
