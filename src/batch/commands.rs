@@ -17,6 +17,7 @@ use super::screen::Kit;
 use super::shard::Shard;
 use super::slurm::Array;
 use super::summary;
+use super::summary_sheet;
 use super::sweep::CaseLimits;
 use super::sweep_file::SweepFile;
 use super::sweep_folder::{SweepFolder, write_whole};
@@ -28,6 +29,8 @@ use crate::mesh::gmsh::Mesher;
 use crate::report::console::log::Log;
 use crate::report::console::pace::about;
 use crate::report::figures::bracket as bracket_of;
+use crate::report::printed;
+use crate::report::sheet::sweep::SUMMARY_PDF;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Instant;
@@ -299,6 +302,21 @@ pub fn merge(plan: &Plan, folder: &SweepFolder, log: &Log) -> Result<Merge, Diag
     let title = of_base.map_or_else(of_file, str::to_owned);
     let page = summary::page(&title, &counts, &broken, choice.as_ref(), &tables, &rows);
     write_whole(&path.join("summary.html"), page.as_bytes())?;
+    if cfg!(feature = "pdf") {
+        let project = &header.expansion.base["project"];
+        let sheet = summary_sheet::sheet(
+            &title,
+            project,
+            &counts,
+            &broken,
+            (choice.as_ref(), &tables),
+            &rows,
+        );
+        match printed::sweep_pdf(&sheet) {
+            Ok(bytes) => write_whole(&path.join(SUMMARY_PDF), &bytes)?,
+            Err(fault) => log.line(format!("warning: {}", fault.message)),
+        }
+    }
     tables.iter().filter(|t| t.is_empty()).for_each(|t| {
         let (title, what) = (&t.title, &t.what);
         log.line(format!("the table `{title}` is empty: no load case has a capacity of {what}"));

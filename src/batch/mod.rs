@@ -28,6 +28,7 @@ pub mod shard;
 pub mod slurm;
 pub mod spec_path;
 pub mod summary;
+pub mod summary_sheet;
 pub mod sweep;
 pub mod sweep_file;
 pub mod sweep_folder;

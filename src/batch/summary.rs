@@ -17,16 +17,16 @@ const SCRIPT: &str = include_str!("summary/summary.js");
 /// Rows that the page holds: a browser sorts and filters so many without delay.
 const MOST_ROWS: usize = 20_000;
 
-/// The rows for the page: all, or the worst outcomes if there are too many.
-fn worst_first(rows: &[Map<String, Value>]) -> Vec<&Map<String, Value>> {
+/// All rows, or the `most` with the worst outcomes.
+pub fn worst_first(rows: &[Map<String, Value>], most: usize) -> Vec<&Map<String, Value>> {
     let mut out: Vec<&Map<String, Value>> = rows.iter().collect();
-    if out.len() > MOST_ROWS {
+    if out.len() > most {
         let rank = |r: &Map<String, Value>| {
             Outcome::ALL.iter().rev().position(|o| r["outcome"] == o.word())
         };
         // a stable sort; rows that are open come first
         out.sort_by_key(|r| rank(r));
-        out.truncate(MOST_ROWS);
+        out.truncate(most);
     }
     out
 }
@@ -78,7 +78,7 @@ pub fn page(
     out.push_str("The line is the given load.</p>\n<div id=\"chart\"></div>\n");
     out.push_str("<h2>Gap against time</h2>\n<p>How far apart the bounds of a case are, over the ");
     out.push_str("time that it took.</p>\n<div id=\"effort\"></div>\n");
-    let shown = worst_first(rows);
+    let shown = worst_first(rows, MOST_ROWS);
     if shown.len() < rows.len() {
         let (some, all) = (shown.len(), rows.len());
         out.push_str(&format!(

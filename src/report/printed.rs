@@ -2,6 +2,7 @@
 
 use crate::diag::Diagnostic;
 use crate::report::markdown::report_data::ReportData;
+use crate::report::sheet::sweep::SweepSheet;
 use crate::report::sheet::{Extent, Paper};
 use std::path::{Component, Path};
 
@@ -20,9 +21,26 @@ pub fn pdf(
 /// A program without the feature `pdf` prints no report.
 #[cfg(not(feature = "pdf"))]
 pub fn pdf(_: &ReportData, _: &Path, _: Extent, _: Paper) -> Result<Vec<u8>, Box<Diagnostic>> {
+    Err(no_pdf())
+}
+
+#[cfg(not(feature = "pdf"))]
+fn no_pdf() -> Box<Diagnostic> {
     let message = "this program was built without the feature `pdf`: it prints no report";
-    let help = "build it with default features; `report.html` and `report.md` are complete";
-    Err(Box::new(Diagnostic::environment("report/pdf", message).help(help)))
+    let help = "build it with default features; the pages of the result are complete";
+    Box::new(Diagnostic::environment("report/pdf", message).help(help))
+}
+
+/// The bytes of the printed summary of a sweep.
+#[cfg(feature = "pdf")]
+pub fn sweep_pdf(sheet: &SweepSheet) -> Result<Vec<u8>, Box<Diagnostic>> {
+    crate::report::pdf::sweep_pdf(sheet)
+}
+
+/// A program without the feature `pdf` prints no summary.
+#[cfg(not(feature = "pdf"))]
+pub fn sweep_pdf(_: &SweepSheet) -> Result<Vec<u8>, Box<Diagnostic>> {
+    Err(no_pdf())
 }
 
 /// A picture of a result folder; `None` if there is none of this name.

@@ -172,7 +172,7 @@ fn two_runs_differ_in_seconds_and_memory_only() {
                 assert_eq!(a, b);
             }
             name @ ("report.md" | "report.html") => {
-                let heading = if name == "report.md" { "## " } else { "<h2>" };
+                let heading = if name == "report.md" { "## " } else { "<summary><h2>" };
                 let [a, b] = [a, b]
                     .map(|bytes| report_without_costs(&String::from_utf8_lossy(bytes), heading));
                 assert_eq!(a, b);

@@ -21,10 +21,42 @@ pub fn rows(bench: &Bench, folder: &str) -> Vec<Value> {
 }
 
 /// Files that a merge writes.
-const MERGED: [&str; 3] = ["results.csv", "results.jsonl", "summary.html"];
+const MERGED: [&str; 4] = ["results.csv", "results.jsonl", "summary.html", "summary.pdf"];
 
-fn merged(bench: &Bench, folder: &str) -> Vec<String> {
-    MERGED.iter().map(|f| bench.read(&format!("{folder}/{f}"))).collect()
+fn merged(bench: &Bench, folder: &str) -> Vec<Vec<u8>> {
+    let read = |f: &&str| std::fs::read(bench.path().join(folder).join(f)).expect("a merged file");
+    MERGED.iter().map(read).collect()
+}
+
+/// The printed summary has the outcomes, every case, and texts of the user as texts.
+#[test]
+fn the_printed_summary_names_every_case() {
+    let title = "project: {title: \"#panic(1) <b> $x$\", number: P-7, date: 2026-11-23}\n";
+    let bench =
+        Bench::new().file("joint.yaml", format!("{title}{SPLICE}")).file("sweep.yaml", CHECKS);
+    bench.run(&["batch", "sweep.yaml"]);
+    let pdf = bench.path().join("sweep/summary.pdf");
+    let read = |program: &str, args: &[&str]| {
+        let run = std::process::Command::new(program).arg(&pdf).args(args).output();
+        let run = run.unwrap_or_else(|e| panic!("{program} (package poppler-utils): {e}"));
+        String::from_utf8_lossy(&run.stdout).into_owned()
+    };
+    let letters = |text: &str| text.chars().filter(|c| c.is_alphanumeric()).collect::<String>();
+    let text = letters(&read("pdftotext", &["-"]));
+    let rows = rows(&bench, "sweep");
+    let count = |outcome: &str| rows.iter().filter(|r| r["outcome"] == outcome).count();
+    for words in [format!("ok {}", count("ok")), format!("not ok {}", count("not_ok"))] {
+        assert!(text.contains(&letters(&words)), "{words}: {text}");
+    }
+    for words in ["#panic(1) <b> $x$", "P-7", "Cases by outcome", "page 1 of"] {
+        assert!(text.contains(&letters(words)), "{words}: {text}");
+    }
+    for row in &rows {
+        for key in ["case", "governing"] {
+            assert!(text.contains(&letters(row[key].as_str().expect("text"))), "{row}");
+        }
+    }
+    assert!(read("pdfinfo", &[]).contains("A4"));
 }
 
 /// Every row has the verdict, M_j,Rd and governing check that `bracket check` gives for its spec.

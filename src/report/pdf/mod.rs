@@ -1,9 +1,10 @@
-//! `report.pdf`, set by typst in this process.
+//! The printed reports, set by typst in this process.
 //!
-//! The layout `report.typ` reads the sheet as JSON, so that no text of the user is ever part of its
+//! The layouts (`*.typ`) read a sheet as JSON, so that no text of the user is ever part of their
 //! code. Fonts are embedded. Equal sheets and pictures give equal bytes.
 
 use crate::diag::Diagnostic;
+use crate::report::sheet::sweep::{SUMMARY_PDF, SweepSheet};
 use crate::report::sheet::{PDF_FILE, Sheet};
 use std::collections::HashMap;
 use std::sync::LazyLock;
@@ -16,8 +17,12 @@ use typst::{Library, LibraryExt, World};
 use typst_layout::PagedDocument;
 use typst_pdf::{PdfOptions, PdfStandard, PdfStandards};
 
-/// The layout.
-const LAYOUT: &str = include_str!("report.typ");
+/// What the layouts share; each stands behind it.
+const COMMON: &str = include_str!("common.typ");
+/// The layout of the report of a joint.
+const REPORT: &str = include_str!("report.typ");
+/// The layout of the summary of a sweep.
+const SWEEP: &str = include_str!("sweep.typ");
 
 /// The embedded fonts and their index.
 static FONTS: LazyLock<(Vec<Font>, LazyHash<FontBook>)> = LazyLock::new(|| {
@@ -63,18 +68,12 @@ impl World for Files {
     }
 }
 
-/// The bytes of the PDF. `picture` reads a picture of the result folder; pictures that it does not
-/// have are left out. With a date in the sheet the file is PDF/A-2b, unless a text has characters
-/// that the fonts do not have.
+/// The bytes of the report of a joint. `picture` reads a picture of the result folder; pictures that
+/// it does not have are left out.
 pub fn pdf(
     sheet: &Sheet,
     picture: impl Fn(&str) -> Option<Vec<u8>>,
 ) -> Result<Vec<u8>, Box<Diagnostic>> {
-    let fault = |what: String| {
-        let message = format!("`{PDF_FILE}` cannot be set: {what}");
-        let help = "the other reports of the folder are complete; please report this message";
-        Box::new(Diagnostic::environment("report/pdf", message).help(help))
-    };
     let mut sheet = sheet.clone();
     let mut files = HashMap::new();
     for pictures in [&mut sheet.drawings, &mut sheet.pictures] {
@@ -83,22 +82,54 @@ pub fn pdf(
             _ => false,
         });
     }
-    let main = id("report.typ").ok_or_else(|| fault("its layout has no name".into()))?;
-    let data = serde_json::to_vec(&sheet).map_err(|e| fault(e.to_string()))?;
+    let about = About { file: PDF_FILE, software: &sheet.software, hash: &sheet.hash };
+    typeset(REPORT, &sheet, files, about, sheet.date.is_some())
+}
+
+/// The bytes of the summary of a sweep.
+pub fn sweep_pdf(sheet: &SweepSheet) -> Result<Vec<u8>, Box<Diagnostic>> {
+    let about = About { file: SUMMARY_PDF, software: &sheet.software, hash: &sheet.hash };
+    typeset(SWEEP, sheet, HashMap::new(), about, sheet.date.is_some())
+}
+
+/// Properties of a document.
+#[derive(Clone, Copy)]
+struct About<'a> {
+    file: &'a str,
+    software: &'a str,
+    hash: &'a str,
+}
+
+/// Sets a sheet with a layout. With a date the file is PDF/A-2b, unless a text has characters that
+/// the fonts do not have.
+fn typeset(
+    layout: &str,
+    sheet: &impl serde::Serialize,
+    mut files: HashMap<FileId, Bytes>,
+    about: About<'_>,
+    dated: bool,
+) -> Result<Vec<u8>, Box<Diagnostic>> {
+    let fault = |what: String| {
+        let message = format!("`{}` cannot be set: {what}", about.file);
+        let help = "the other reports of the folder are complete; please report this message";
+        Box::new(Diagnostic::environment("report/pdf", message).help(help))
+    };
+    let main = id("main.typ").ok_or_else(|| fault("its layout has no name".into()))?;
+    let data = serde_json::to_vec(sheet).map_err(|e| fault(e.to_string()))?;
     files.extend(id("data.json").map(|id| (id, Bytes::new(data))));
     let library = LazyHash::new(Library::default());
-    let world = Files { library, main: Source::new(main, LAYOUT.into()), files };
+    let world = Files { library, main: Source::new(main, format!("{COMMON}{layout}")), files };
     let first = |faults: &[typst::diag::SourceDiagnostic]| {
         fault(faults.first().map_or_else(String::new, |d| d.message.to_string()))
     };
     let document: PagedDocument = typst::compile(&world).output.map_err(|e| first(&e))?;
     let options = |standards| PdfOptions {
-        ident: Smart::Custom(sheet.hash.clone()),
-        creator: Smart::Custom(Some(sheet.software.clone())),
+        ident: Smart::Custom(about.hash.to_string()),
+        creator: Smart::Custom(Some(about.software.to_string())),
         standards,
         ..PdfOptions::default()
     };
-    if sheet.date.is_some()
+    if dated
         && let Ok(archival) = PdfStandards::new(&[PdfStandard::A_2b])
         && let Ok(bytes) = typst_pdf::pdf(&document, &options(archival))
     {

@@ -67,7 +67,7 @@ fn summary_line(row: SummaryRow) -> SummaryLine {
 }
 
 /// Year, month and day of `2026-11-23` or `23.11.2026`.
-fn date(text: &str) -> Option<[u32; 3]> {
+pub fn date(text: &str) -> Option<[u32; 3]> {
     let numbers = |by: char| -> Option<Vec<u32>> {
         text.trim().split(by).map(|part| part.parse().ok()).collect()
     };
@@ -227,7 +227,7 @@ fn sections(data: &ReportData) -> Vec<Section> {
         if !data.mesh_quality.rows.is_empty() {
             blocks.insert(0, Block::Table { table: grid(&data.mesh_quality) });
         }
-        add("Meshes and history", blocks);
+        add("Mesh and history", blocks);
         add("Certificate", section(|page| certificate::certificates(page, data)));
     }
     add("Resolved values, catalogue rows and notes", section(|page| input::values(page, data)));

@@ -5,6 +5,7 @@ pub mod blocks;
 pub mod build;
 pub mod formula;
 pub mod fraction;
+pub mod sweep;
 
 use crate::report::markdown::report_data::PictureRef;
 use crate::report::summary::{SummaryRow, Tone};

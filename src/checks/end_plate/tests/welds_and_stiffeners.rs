@@ -1,8 +1,12 @@
 //! Welds of the beam and stiffeners of the column.
 
 use super::fixture::{ONE, checks, find, joint, loaded, near, step, used, welded};
+use crate::assembly::build;
+use crate::catalog::Catalog;
 use crate::checks::check::{Check, Status};
-use crate::checks::end_plate::HandChecks;
+use crate::checks::end_plate::{HandChecks, WeldItem, welds_list};
+use crate::spec::{ConnectionSpec, yaml};
+use std::path::Path;
 
 /// Throats of the spec are checked, by hand: flange welds under M/(h − t_f), web welds under V.
 #[test]
@@ -231,6 +235,34 @@ fn clause_4_5_3_3_welds_of_stiffeners() {
     let thin = checks(&joint("stiffener_weld: 2", ONE));
     assert_eq!(find(&thin, "beam_right, column stiffeners", "least throat").status, Status::Failed);
     assert!(loaded(ONE).checks.iter().all(|c| c.title != title), "butt welds have none");
+}
+
+/// IPE300: b = 150, t_w = 7.1, t_f = 10.7, r = 15; HEB200 with clips of the root radius, 18 mm, and
+/// 5 mm. Seams on both sides of a part, one for butt welds; metal of 6²·L for the flanges.
+#[test]
+fn the_list_of_welds_has_every_seam() {
+    let list = |more: &str, plates: usize| {
+        let spec = joint(more, ONE);
+        let spec = yaml::parse::<ConnectionSpec>(&spec, Path::new("joint.yaml")).expect("a spec");
+        let catalog = Catalog::builtin().expect("catalogue");
+        let joint = build(&spec, Path::new("."), &catalog).expect("a joint");
+        welds_list(&joint.end_plate.expect("an end plate"), plates)
+    };
+    let fillets = list("flange_weld: 6, web_weld: 4, stiffener_weld: 5", 2);
+    let seams = |items: &[WeldItem]| -> Vec<(usize, Option<f64>)> {
+        items.iter().map(|i| (i.count, i.length.map(|l| (100.0 * l).round() / 100.0))).collect()
+    };
+    let want = [(4, 150.0), (8, 56.45), (4, 248.6), (16, 72.5), (8, 124.0)];
+    assert_eq!(seams(&fillets), want.map(|(n, l)| (n, Some(l))));
+    near(fillets[0].mass().unwrap_or(f64::NAN), 7.85e-6 * 36.0 * 600.0, 1e-9);
+    let butt = list("flange_weld: 0, web_weld: 0", 1);
+    assert_eq!(seams(&butt), [(2, Some(150.0)), (1, Some(248.6))]);
+    assert!(butt.iter().all(|i| i.mass().is_none()));
+    let more = list("doubler: true, doubler_weld: 7, rib: true, rib_weld: 4", 1);
+    let places: Vec<&str> = more.iter().map(|i| i.place).collect();
+    for place in ["web doubler, all round", "rib to end plate", "rib to beam flange"] {
+        assert!(places.contains(&place), "{places:?}");
+    }
 }
 
 /// A plate of 9 mm needs 9/√2 = 6.364 mm; its part of the panel, 9/(2483 + 134 · 9) of the shear

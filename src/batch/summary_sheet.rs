@@ -1,0 +1,118 @@
+//! What the printed summary of a sweep says: counts, chosen joints, capacity tables, cases.
+
+use super::capacity::Filled;
+use super::choice_table::Shown;
+use super::counts::Counts;
+use super::row::Outcome;
+use super::summary::worst_first;
+use crate::math::figures::{Rounding, significant};
+use crate::report::sheet::Section;
+use crate::report::sheet::blocks::{Block, Grid, Text, plain, section};
+use crate::report::sheet::build::date;
+use crate::report::sheet::sweep::SweepSheet;
+use serde_json::{Map, Value};
+
+/// Cases that are printed: more pages than these nobody reads.
+const MOST_ROWS: usize = 400;
+
+/// Columns of the table of cases: key of a row, title, rounding of numbers.
+const COLUMNS: [(&str, &str, Option<Rounding>); 7] = [
+    ("case", "case", None),
+    ("load_case", "load case", None),
+    ("outcome", "outcome", None),
+    ("lambda_low", "load factor ≥", Some(Rounding::Down)),
+    ("lambda_up", "≤", Some(Rounding::Up)),
+    ("governing", "governing", None),
+    ("governing_utilisation", "utilisation", Some(Rounding::Up)),
+];
+
+/// The sheet of a sweep. `project` is the title block of its base.
+pub fn sheet(
+    title: &str,
+    project: &Value,
+    counts: &Counts,
+    broken: &[String],
+    (choice, tables): (Option<&Shown>, &[Filled]),
+    rows: &[Map<String, Value>],
+) -> SweepSheet {
+    let value = |name: &str| match &project[name] {
+        Value::Null => None,
+        Value::String(s) => Some(s.clone()),
+        other => Some(other.to_string()),
+    };
+    let names = ["number", "author", "checker", "date", "revision"];
+    let revision = value("revision").map(|r| format!("revision {r}"));
+    let running: Vec<String> = value("number").into_iter().chain(revision).collect();
+    let mut sections =
+        vec![Section { title: "Cases by outcome".into(), blocks: outcomes(counts, broken) }];
+    let mut add = |blocks: Vec<Block>| {
+        // the first block is the heading of the text
+        let mut blocks = blocks.into_iter();
+        if let Some(Block::Heading { text, .. }) = blocks.next() {
+            let title = text.into_iter().map(|s| s.text).collect();
+            sections.push(Section { title, blocks: blocks.collect() });
+        }
+    };
+    choice.iter().for_each(|c| add(section(|page| page.push_str(&c.markdown()))));
+    tables.iter().for_each(|t| add(section(|page| page.push_str(&t.markdown()))));
+    sections.push(Section { title: "Cases".into(), blocks: cases(rows) });
+    SweepSheet {
+        title: title.into(),
+        running: running.join(", "),
+        author: value("author").unwrap_or_default(),
+        date: value("date").and_then(|d| date(&d)),
+        project: names.iter().filter_map(|n| Some((n.to_string(), value(n)?))).collect(),
+        software: format!("{} {}", env!("CARGO_PKG_NAME"), env!("CARGO_PKG_VERSION")),
+        sections,
+        ..SweepSheet::default()
+    }
+}
+
+fn outcomes(counts: &Counts, broken: &[String]) -> Vec<Block> {
+    let found = Outcome::ALL.iter().filter(|o| counts.with(**o) > 0);
+    let row = |word: String, count: usize| vec![plain(word), plain(count.to_string())];
+    let mut rows: Vec<Vec<Text>> = found.map(|o| row(o.plain(), counts.with(*o))).collect();
+    if counts.open > 0 {
+        rows.push(row("not finished".into(), counts.open));
+    }
+    rows.push(row("all".into(), counts.all()));
+    let columns = ["outcome", "cases"].map(plain).to_vec();
+    let mut out = vec![Block::Table { table: Grid { columns, right: vec![false, true], rows } }];
+    if !broken.is_empty() {
+        let text = plain("Expected, and not so:");
+        out.push(Block::Paragraph { text });
+        out.push(Block::List { items: broken.iter().map(plain).collect() });
+    }
+    out
+}
+
+/// The cases, or the worst of them.
+fn cases(rows: &[Map<String, Value>]) -> Vec<Block> {
+    let shown = worst_first(rows, MOST_ROWS);
+    let cell = |row: &Map<String, Value>, key: &str, rounding: Option<Rounding>| {
+        let value = row.get(key).unwrap_or(&Value::Null);
+        plain(match (value.as_f64(), rounding, value) {
+            (Some(x), Some(r), _) => significant(x, 4, r),
+            (_, _, Value::String(s)) if key == "outcome" => s.replace('_', " "),
+            (_, _, Value::String(s)) => s.clone(),
+            _ => "–".into(),
+        })
+    };
+    let cells = |row: &&Map<String, Value>| COLUMNS.map(|(key, _, r)| cell(row, key, r)).to_vec();
+    let table = Grid {
+        columns: COLUMNS.map(|c| plain(c.1)).to_vec(),
+        right: COLUMNS.map(|c| c.2.is_some()).to_vec(),
+        rows: shown.iter().map(cells).collect(),
+    };
+    let mut out = Vec::new();
+    if shown.len() < rows.len() {
+        let words = format!(
+            "{} of {} rows, the worst first; results.csv has all.",
+            shown.len(),
+            rows.len()
+        );
+        out.push(Block::Paragraph { text: plain(words) });
+    }
+    out.push(Block::Table { table });
+    out
+}
