@@ -223,6 +223,7 @@ impl Scene {
 
     /// Adds to the parts what the result knows of them: forces of bolts and of contacts.
     pub fn add_facts(&mut self, result: &ResultFile) {
+        let meshed = if result.symmetry > 1 { ", of the meshed part" } else { "" };
         for case in &result.cases {
             let Some(forces) = &case.static_forces else { continue };
             let kn = |force: f64| format!("{:.1} kN", 1e-3 * force);
@@ -240,7 +241,7 @@ impl Scene {
             for c in &forces.contacts {
                 let [a, b] = &c.between;
                 for (part, other) in [(a, b), (b, a)] {
-                    add(part, format!("compression from {other}"), kn(c.compression));
+                    add(part, format!("compression from {other}{meshed}"), kn(c.compression));
                 }
             }
         }
