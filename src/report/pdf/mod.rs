@@ -68,8 +68,8 @@ impl World for Files {
     }
 }
 
-/// The bytes of the report of a joint. `picture` reads a picture of the result folder; pictures that
-/// it does not have are left out.
+/// The bytes of the report of a joint. `picture` reads a picture of the result folder; pictures
+/// that it does not have are left out.
 pub fn pdf(
     sheet: &Sheet,
     picture: impl Fn(&str) -> Option<Vec<u8>>,
