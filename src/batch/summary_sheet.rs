@@ -8,8 +8,9 @@ use super::summary::worst_first;
 use crate::math::figures::{Rounding, significant};
 use crate::report::sheet::Section;
 use crate::report::sheet::blocks::{Block, Grid, Text, plain, section};
-use crate::report::sheet::build::date;
+use crate::report::sheet::head::{Head, Paper};
 use crate::report::sheet::sweep::SweepSheet;
+use crate::result::result_file::Tool;
 use serde_json::{Map, Value};
 
 /// Cases that are printed: more pages than these nobody reads.
@@ -41,8 +42,7 @@ pub fn sheet(
         other => Some(other.to_string()),
     };
     let names = ["number", "author", "checker", "date", "revision"];
-    let revision = value("revision").map(|r| format!("revision {r}"));
-    let running: Vec<String> = value("number").into_iter().chain(revision).collect();
+    let project = names.iter().filter_map(|n| Some((n.to_string(), value(n)?))).collect();
     let mut sections =
         vec![Section { title: "Cases by outcome".into(), blocks: outcomes(counts, broken) }];
     let mut add = |blocks: Vec<Block>| {
@@ -56,15 +56,10 @@ pub fn sheet(
     choice.iter().for_each(|c| add(section(|page| page.push_str(&c.markdown()))));
     tables.iter().for_each(|t| add(section(|page| page.push_str(&t.markdown()))));
     sections.push(Section { title: "Cases".into(), blocks: cases(rows) });
+    let paper = Paper::default();
     SweepSheet {
-        title: title.into(),
-        running: running.join(", "),
-        author: value("author").unwrap_or_default(),
-        date: value("date").and_then(|d| date(&d)),
-        project: names.iter().filter_map(|n| Some((n.to_string(), value(n)?))).collect(),
-        software: format!("{} {}", env!("CARGO_PKG_NAME"), env!("CARGO_PKG_VERSION")),
+        head: Head::new(paper, title.into(), project, &Tool::this(), String::new()),
         sections,
-        ..SweepSheet::default()
     }
 }
 

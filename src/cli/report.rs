@@ -5,7 +5,8 @@ use crate::diag::ExitStatus;
 use crate::report::console::out;
 use crate::report::markdown::report_data::ReportData;
 use crate::report::printed;
-use crate::report::sheet::{Extent, PDF_FILE, Paper};
+use crate::report::sheet::head::Paper;
+use crate::report::sheet::{Extent, PDF_FILE};
 use std::path::PathBuf;
 
 /// Print the report of a finished result as PDF.

@@ -119,13 +119,17 @@ fn mechanism(
     Some(Ok((pictures, caption)))
 }
 
+/// The share of each tet in the multipliers of the yield conditions, per volume.
+pub fn limiting_densities(mesh: &TetMesh, share: &[f64]) -> Vec<f64> {
+    share.iter().enumerate().map(|(e, s)| s.max(0.0) / mesh.volume(e)).collect()
+}
+
 fn limiting(share: &[f64], scene: (&AnalysisModel, &[usize], usize), name: &str) -> Drawn {
     let model = scene.0;
     if share.iter().sum::<f64>() <= 0.0 {
         return None;
     }
-    let density = |(e, s): (usize, &f64)| s.max(0.0) / model.mesh.volume(e);
-    let densities: Vec<f64> = share.iter().enumerate().map(density).collect();
+    let densities = limiting_densities(&model.mesh, share);
     let bodies = by_body(model, &densities, 1.0, &[]);
     let zones = Zones { densities, title: "limiting zones", colours: Colours::Violet };
     let (pictures, cut) = match zones.draw(scene, None) {

@@ -7,7 +7,7 @@ use crate::certify::faces::contact_faces;
 use crate::certify::fields::StressField;
 use crate::certify::limit_certificate::dissipation_densities;
 use crate::certify::tractions::contact_tractions;
-use crate::driver::collapse_pictures::at_nodes;
+use crate::driver::collapse_pictures::{at_nodes, limiting_densities};
 use crate::driver::passes::Kept;
 use crate::math::mandel;
 use crate::math::vec3;
@@ -92,8 +92,7 @@ fn statics<'a>(pass: &'a Kept, stress: Option<(&StressField, f64)>) -> Vec<Field
     if let Some(share) =
         pass.outcome.yield_multiplier_share().filter(|s| s.iter().any(|x| *x > 0.0))
     {
-        let density = |(e, s): (usize, &f64)| s.max(0.0) / model.mesh.volume(e);
-        let densities: Vec<f64> = share.iter().enumerate().map(density).collect();
+        let densities = limiting_densities(&model.mesh, share);
         let values = Values::Nodes(at_nodes(&model.mesh, &densities));
         let title = "zones that limit the lower bound, relative".to_string();
         add(title, "", values, Colours::Violet, Some([0.0, 1.0]));

@@ -2,8 +2,9 @@
 
 use crate::diag::Diagnostic;
 use crate::report::markdown::report_data::ReportData;
+use crate::report::sheet::Extent;
+use crate::report::sheet::head::Paper;
 use crate::report::sheet::sweep::SweepSheet;
-use crate::report::sheet::{Extent, Paper};
 use std::path::{Component, Path};
 
 /// The bytes of the PDF, with the pictures in the result folder.

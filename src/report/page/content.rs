@@ -79,16 +79,16 @@ impl<'a> Content<'a> {
         for section in &sheet.sections {
             self.section(&section.title, |c| section.blocks.iter().for_each(|b| c.block(b)));
         }
-        let hash = escaped(&sheet.hash);
-        self.line("footer", "", &format!("{} · input {hash}", escaped(&sheet.software)));
+        let hash = escaped(&sheet.head.hash);
+        self.line("footer", "", &format!("{} · input {hash}", escaped(&sheet.head.software)));
     }
 
     fn title(&mut self, sheet: &Sheet) {
-        let title = escaped(&sheet.title);
+        let title = escaped(&sheet.head.title);
         let _ = write!(self.body, "<header>\n<h1 dir=\"auto\">{title}</h1>\n");
-        if !sheet.project.is_empty() {
+        if !sheet.head.project.is_empty() {
             self.body.push_str("<dl class=\"project\">\n");
-            for (name, value) in &sheet.project {
+            for (name, value) in &sheet.head.project {
                 let (name, value) = (escaped(name), escaped(value));
                 let _ =
                     writeln!(self.body, "<div><dt>{name}</dt><dd dir=\"auto\">{value}</dd></div>");

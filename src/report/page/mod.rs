@@ -39,7 +39,7 @@ pub fn page(
     let view = !scene.shapes.is_empty();
     content.report(sheet, view.then(|| viewer(scene)));
     let (body, contents) = content.finish();
-    let title = escaped(&sheet.title);
+    let title = escaped(&sheet.head.title);
     let mut page = format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta \
          http-equiv=\"Content-Security-Policy\" content=\"{POLICY}\">\n<meta name=\"viewport\" \

@@ -167,28 +167,19 @@ impl Scene {
         fields: Vec<Field<'_>>,
     ) {
         let known = self.shapes.iter().position(|s| s.origin == mesh.nodes);
-        let shape = known.unwrap_or(self.shapes.len());
-        if known.is_none() {
-            let new = self.shape(mesh, strengths);
-            self.size += new.points.steps.len() + new.tets.len();
-            self.shapes.push(new);
+        let number = known.unwrap_or(self.shapes.len());
+        let new = if known.is_none() { Some(self.shape(mesh, strengths)) } else { None };
+        let shape = new.as_ref().unwrap_or_else(|| &self.shapes[number]);
+        let views: Vec<View> = fields.into_iter().map(|f| view(f, case, (number, shape))).collect();
+        let more = new.as_ref().map_or(0, Shape::size);
+        let size = self.size + more + views.iter().map(View::size).sum::<usize>();
+        if size <= MOST || self.views.is_empty() {
+            self.size = size;
+            self.shapes.extend(new);
+            self.views.extend(views);
+        } else if !self.left_out.iter().any(|c| c == case) {
+            self.left_out.push(case.into());
         }
-        let views: Vec<View> =
-            fields.into_iter().map(|f| view(f, case, (shape, &self.shapes[shape]))).collect();
-        self.size += views.iter().map(View::size).sum::<usize>();
-        if self.size > MOST && !self.views.is_empty() {
-            self.size -= views.iter().map(View::size).sum::<usize>();
-            if known.is_none()
-                && let Some(s) = self.shapes.pop()
-            {
-                self.size -= s.points.steps.len() + s.tets.len();
-            }
-            if !self.left_out.iter().any(|c| c == case) {
-                self.left_out.push(case.into());
-            }
-            return;
-        }
-        self.views.extend(views);
     }
 
     fn shape(&mut self, mesh: &TetMesh, strengths: &[Option<f64>]) -> Shape {
@@ -281,6 +272,12 @@ fn view(field: Field<'_>, case: &str, (number, shape): (usize, &Shape)) -> View 
     view.shown = Some(field.shown.unwrap_or_else(|| covered(&values)));
     view.values = Some(pack(values.into_iter()));
     view
+}
+
+impl Shape {
+    fn size(&self) -> usize {
+        self.points.steps.len() + self.tets.len()
+    }
 }
 
 impl View {

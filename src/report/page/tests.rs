@@ -3,8 +3,9 @@ use crate::mesh::TetMesh;
 use crate::report::draw::options::Colours;
 use crate::report::markdown::report_data::{PictureRef, ReportData};
 use crate::report::page::scene::{Field, Values};
+use crate::report::sheet::Extent;
 use crate::report::sheet::build::sheet;
-use crate::report::sheet::{Extent, Paper};
+use crate::report::sheet::head::Paper;
 
 const HOSTILE: &str = "<script>alert(1)</script> \"& '#eval' \u{202e}right\u{7}";
 

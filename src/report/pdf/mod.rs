@@ -4,6 +4,7 @@
 //! code. Fonts are embedded. Equal sheets and pictures give equal bytes.
 
 use crate::diag::Diagnostic;
+use crate::report::sheet::head::Head;
 use crate::report::sheet::sweep::{SUMMARY_PDF, SweepSheet};
 use crate::report::sheet::{PDF_FILE, Sheet};
 use std::collections::HashMap;
@@ -82,35 +83,24 @@ pub fn pdf(
             _ => false,
         });
     }
-    let about = About { file: PDF_FILE, software: &sheet.software, hash: &sheet.hash };
-    typeset(REPORT, &sheet, files, about, sheet.date.is_some())
+    typeset(PDF_FILE, REPORT, (&sheet, &sheet.head), files)
 }
 
 /// The bytes of the summary of a sweep.
 pub fn sweep_pdf(sheet: &SweepSheet) -> Result<Vec<u8>, Box<Diagnostic>> {
-    let about = About { file: SUMMARY_PDF, software: &sheet.software, hash: &sheet.hash };
-    typeset(SWEEP, sheet, HashMap::new(), about, sheet.date.is_some())
+    typeset(SUMMARY_PDF, SWEEP, (sheet, &sheet.head), HashMap::new())
 }
 
-/// Properties of a document.
-#[derive(Clone, Copy)]
-struct About<'a> {
-    file: &'a str,
-    software: &'a str,
-    hash: &'a str,
-}
-
-/// Sets a sheet with a layout. With a date the file is PDF/A-2b, unless a text has characters that
-/// the fonts do not have.
+/// Sets a sheet, to be named `file`, with a layout. With a date the file is PDF/A-2b, unless a text
+/// has characters that the fonts do not have.
 fn typeset(
+    file: &str,
     layout: &str,
-    sheet: &impl serde::Serialize,
+    (sheet, head): (&impl serde::Serialize, &Head),
     mut files: HashMap<FileId, Bytes>,
-    about: About<'_>,
-    dated: bool,
 ) -> Result<Vec<u8>, Box<Diagnostic>> {
     let fault = |what: String| {
-        let message = format!("`{}` cannot be set: {what}", about.file);
+        let message = format!("`{file}` cannot be set: {what}");
         let help = "the other reports of the folder are complete; please report this message";
         Box::new(Diagnostic::environment("report/pdf", message).help(help))
     };
@@ -124,12 +114,12 @@ fn typeset(
     };
     let document: PagedDocument = typst::compile(&world).output.map_err(|e| first(&e))?;
     let options = |standards| PdfOptions {
-        ident: Smart::Custom(about.hash.to_string()),
-        creator: Smart::Custom(Some(about.software.to_string())),
+        ident: Smart::Custom(head.hash.clone()),
+        creator: Smart::Custom(Some(head.software.clone())),
         standards,
         ..PdfOptions::default()
     };
-    if dated
+    if head.date.is_some()
         && let Ok(archival) = PdfStandards::new(&[PdfStandard::A_2b])
         && let Ok(bytes) = typst_pdf::pdf(&document, &options(archival))
     {

@@ -3,8 +3,9 @@
 use super::blocks::{Block, Grid, plain, section, sentence};
 use super::formula::{Piece, pieces};
 use super::fraction::formula;
+use super::head::{Head, Paper};
 use super::{
-    Bar, BarLabels, CaseAnswer, Extent, Paper, Section, Sheet, SummaryLine, TopicSheet, VerdictBox,
+    Bar, BarLabels, CaseAnswer, Extent, Section, Sheet, SummaryLine, TopicSheet, VerdictBox,
     WorkedRow,
 };
 use crate::checks::check::number;
@@ -29,23 +30,13 @@ use crate::result::result_file::{CaseResult, Quantity, ResultFile, Upper};
 
 /// The sheet of a report.
 pub fn sheet(data: &ReportData, extent: Extent, paper: Paper) -> Sheet {
-    let value =
-        |name: &str| data.project.iter().skip(1).find(|(n, _)| n == name).map(|(_, v)| v.clone());
-    let running = [("number", ""), ("revision", "revision ")];
-    let running: Vec<String> =
-        running.iter().filter_map(|(n, word)| Some(format!("{word}{}", value(n)?))).collect();
     let full = extent == Extent::Full;
-    let tool = &data.result.tool;
+    let title = data.project.first().map_or_else(|| data.input_name.clone(), |l| l.1.clone());
+    let project = data.project.iter().skip(1).cloned().collect();
+    let hash = data.result.input_hash.clone();
     Sheet {
         extent,
-        paper,
-        title: data.project.first().map_or_else(|| data.input_name.clone(), |l| l.1.clone()),
-        running: running.join(", "),
-        author: value("author").unwrap_or_default(),
-        date: value("date").and_then(|d| date(&d)),
-        project: data.project.iter().skip(1).cloned().collect(),
-        software: format!("{} {}", tool.name, tool.version),
-        hash: data.result.input_hash.clone(),
+        head: Head::new(paper, title, project, &data.result.tool, hash),
         verdict: verdict(&data.result),
         drawings: data.drawings.clone(),
         actions: grid(&actions(&data.result, &data.demands)),
@@ -64,26 +55,6 @@ pub fn sheet(data: &ReportData, extent: Extent, paper: Paper) -> Sheet {
 
 fn summary_line(row: SummaryRow) -> SummaryLine {
     SummaryLine { what: pieces(&row.check), row }
-}
-
-/// Year, month and day of `2026-11-23` or `23.11.2026`.
-pub fn date(text: &str) -> Option<[u32; 3]> {
-    let numbers = |by: char| -> Option<Vec<u32>> {
-        text.trim().split(by).map(|part| part.parse().ok()).collect()
-    };
-    let (year, month, day) = match (numbers('-').as_deref(), numbers('.').as_deref()) {
-        (Some(&[y, m, d]), _) | (_, Some(&[d, m, y])) => (y, m, d),
-        _ => return None,
-    };
-    let leap = year % 4 == 0 && (year % 100 != 0 || year % 400 == 0);
-    let days = match month {
-        2 if leap => 29,
-        2 => 28,
-        4 | 6 | 9 | 11 => 30,
-        1..=12 => 31,
-        _ => 0,
-    };
-    ((1000..=9999).contains(&year) && (1..=days).contains(&day)).then_some([year, month, day])
 }
 
 fn grid(table: &Table) -> Grid {
@@ -239,23 +210,6 @@ fn sections(data: &ReportData) -> Vec<Section> {
 mod tests {
     use super::*;
     use crate::result::fixtures::limit_case;
-
-    #[test]
-    fn dates_of_a_spec_are_read_or_left_out() {
-        for (text, want) in [
-            ("2026-11-23", Some([2026, 11, 23])),
-            ("23.11.2026", Some([2026, 11, 23])),
-            ("29.02.2028", Some([2028, 2, 29])),
-            ("29.02.2026", None),
-            ("2026-13-01", None),
-            ("2026-00-10", None),
-            ("11/23/2026", None),
-            ("May 2026", None),
-            ("", None),
-        ] {
-            assert_eq!(date(text), want, "{text}");
-        }
-    }
 
     /// Only strict bounds are drawn, and a bound that is not known stays open.
     #[test]

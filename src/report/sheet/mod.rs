@@ -5,12 +5,14 @@ pub mod blocks;
 pub mod build;
 pub mod formula;
 pub mod fraction;
+pub mod head;
 pub mod sweep;
 
 use crate::report::markdown::report_data::PictureRef;
 use crate::report::summary::{SummaryRow, Tone};
 use blocks::{Block, Grid, Text};
 use formula::Piece;
+use head::Head;
 use serde::Serialize;
 
 /// Name of the printed report in a result folder.
@@ -24,18 +26,6 @@ pub enum Extent {
     Short,
     /// Also the checks with their numbers, analyses, catalogue rows and input.
     Full,
-}
-
-/// Size of the paper.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
-pub enum Paper {
-    /// 210 × 297 mm.
-    #[default]
-    #[serde(rename = "a4")]
-    A4,
-    /// 8.5 × 11 inches.
-    #[serde(rename = "us-letter")]
-    Letter,
 }
 
 /// The verdict.
@@ -142,22 +132,9 @@ pub struct Section {
 pub struct Sheet {
     /// Extent.
     pub extent: Extent,
-    /// Paper.
-    pub paper: Paper,
-    /// Title of the joint.
-    pub title: String,
-    /// Project number and revision, on every page; empty without them.
-    pub running: String,
-    /// Author of the report, for the properties of the document.
-    pub author: String,
-    /// Date of the report as year, month, day; absent without one that can be read.
-    pub date: Option<[u32; 3]>,
-    /// Title block: names and values.
-    pub project: Vec<(String, String)>,
-    /// Program and version.
-    pub software: String,
-    /// Hash of the input.
-    pub hash: String,
+    /// Head of its pages.
+    #[serde(flatten)]
+    pub head: Head,
     /// Verdict.
     pub verdict: VerdictBox,
     /// Drawings of the joint and of its actions.
