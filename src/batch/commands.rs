@@ -31,6 +31,9 @@ use crate::report::console::pace::about;
 use crate::report::figures::bracket as bracket_of;
 use crate::report::printed;
 use crate::report::sheet::sweep::SUMMARY_PDF;
+use crate::report::words::Words;
+use crate::spec::connection::Language;
+use serde::Deserialize;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Instant;
@@ -304,15 +307,18 @@ pub fn merge(plan: &Plan, folder: &SweepFolder, log: &Log) -> Result<Merge, Diag
     write_whole(&path.join("summary.html"), page.as_bytes())?;
     if cfg!(feature = "pdf") {
         let project = &header.expansion.base["project"];
+        let language = Language::deserialize(&project["language"]).unwrap_or_default();
+        let words = Words::new(language, []);
         let sheet = summary_sheet::sheet(
             &title,
             project,
+            &words,
             &counts,
             &broken,
             (choice.as_ref(), &tables),
             &rows,
         );
-        match printed::sweep_pdf(&sheet) {
+        match printed::sweep_pdf(&sheet, &words) {
             Ok(bytes) => write_whole(&path.join(SUMMARY_PDF), &bytes)?,
             Err(fault) => log.line(format!("warning: {}", fault.message)),
         }

@@ -10,6 +10,7 @@ use crate::report::sheet::Section;
 use crate::report::sheet::blocks::{Block, Grid, Text, plain, section};
 use crate::report::sheet::head::{Head, Paper};
 use crate::report::sheet::sweep::SweepSheet;
+use crate::report::words::Words;
 use crate::result::result_file::Tool;
 use serde_json::{Map, Value};
 
@@ -31,6 +32,7 @@ const COLUMNS: [(&str, &str, Option<Rounding>); 7] = [
 pub fn sheet(
     title: &str,
     project: &Value,
+    words: &Words,
     counts: &Counts,
     broken: &[String],
     (choice, tables): (Option<&Shown>, &[Filled]),
@@ -43,8 +45,10 @@ pub fn sheet(
     };
     let names = ["number", "author", "checker", "date", "revision"];
     let project = names.iter().filter_map(|n| Some((n.to_string(), value(n)?))).collect();
-    let mut sections =
-        vec![Section { title: "Cases by outcome".into(), blocks: outcomes(counts, broken) }];
+    let mut sections = vec![Section {
+        title: words.say("Cases by outcome"),
+        blocks: outcomes(counts, broken, words),
+    }];
     let mut add = |blocks: Vec<Block>| {
         // the first block is the heading of the text
         let mut blocks = blocks.into_iter();
@@ -53,28 +57,28 @@ pub fn sheet(
             sections.push(Section { title, blocks: blocks.collect() });
         }
     };
-    choice.iter().for_each(|c| add(section(|page| page.push_str(&c.markdown()))));
-    tables.iter().for_each(|t| add(section(|page| page.push_str(&t.markdown()))));
-    sections.push(Section { title: "Cases".into(), blocks: cases(rows) });
+    choice.iter().for_each(|c| add(section(words, |page| page.push_str(&c.markdown()))));
+    tables.iter().for_each(|t| add(section(words, |page| page.push_str(&t.markdown()))));
+    sections.push(Section { title: words.say("Cases"), blocks: cases(rows, words) });
     let paper = Paper::default();
     SweepSheet {
-        head: Head::new(paper, title.into(), project, &Tool::this(), String::new()),
+        head: Head::new(paper, title.into(), project, words, &Tool::this(), String::new()),
         sections,
     }
 }
 
-fn outcomes(counts: &Counts, broken: &[String]) -> Vec<Block> {
+fn outcomes(counts: &Counts, broken: &[String], words: &Words) -> Vec<Block> {
     let found = Outcome::ALL.iter().filter(|o| counts.with(**o) > 0);
-    let row = |word: String, count: usize| vec![plain(word), plain(count.to_string())];
+    let row = |word: String, count: usize| vec![plain(words.say(&word)), plain(count.to_string())];
     let mut rows: Vec<Vec<Text>> = found.map(|o| row(o.plain(), counts.with(*o))).collect();
     if counts.open > 0 {
         rows.push(row("not finished".into(), counts.open));
     }
     rows.push(row("all".into(), counts.all()));
-    let columns = ["outcome", "cases"].map(plain).to_vec();
+    let columns = ["outcome", "cases"].map(|t| plain(words.say(t))).to_vec();
     let mut out = vec![Block::Table { table: Grid { columns, right: vec![false, true], rows } }];
     if !broken.is_empty() {
-        let text = plain("Expected, and not so:");
+        let text = plain(words.say("Expected, and not so:"));
         out.push(Block::Paragraph { text });
         out.push(Block::List { items: broken.iter().map(plain).collect() });
     }
@@ -82,31 +86,31 @@ fn outcomes(counts: &Counts, broken: &[String]) -> Vec<Block> {
 }
 
 /// The cases, or the worst of them.
-fn cases(rows: &[Map<String, Value>]) -> Vec<Block> {
+fn cases(rows: &[Map<String, Value>], words: &Words) -> Vec<Block> {
     let shown = worst_first(rows, MOST_ROWS);
     let cell = |row: &Map<String, Value>, key: &str, rounding: Option<Rounding>| {
         let value = row.get(key).unwrap_or(&Value::Null);
         plain(match (value.as_f64(), rounding, value) {
             (Some(x), Some(r), _) => significant(x, 4, r),
-            (_, _, Value::String(s)) if key == "outcome" => s.replace('_', " "),
+            (_, _, Value::String(s)) if key == "outcome" => words.say(&s.replace('_', " ")),
             (_, _, Value::String(s)) => s.clone(),
             _ => "–".into(),
         })
     };
     let cells = |row: &&Map<String, Value>| COLUMNS.map(|(key, _, r)| cell(row, key, r)).to_vec();
     let table = Grid {
-        columns: COLUMNS.map(|c| plain(c.1)).to_vec(),
+        columns: COLUMNS.map(|c| plain(words.say(c.1))).to_vec(),
         right: COLUMNS.map(|c| c.2.is_some()).to_vec(),
         rows: shown.iter().map(cells).collect(),
     };
     let mut out = Vec::new();
     if shown.len() < rows.len() {
-        let words = format!(
+        let few = format!(
             "{} of {} rows, the worst first; results.csv has all.",
             shown.len(),
             rows.len()
         );
-        out.push(Block::Paragraph { text: plain(words) });
+        out.push(Block::Paragraph { text: plain(words.say(&few)) });
     }
     out.push(Block::Table { table });
     out

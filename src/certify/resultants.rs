@@ -19,6 +19,8 @@ pub struct ContactResultant {
     pub compression: f64,
     /// Centre of pressure ∫ r_N x dA / ∫ r_N dA \[mm\]; `None` where nothing presses.
     pub centre: Option<V3>,
+    /// Least and largest coordinates of the faces in contact \[mm\].
+    pub extent: [V3; 2],
 }
 
 #[derive(Default)]
@@ -26,6 +28,7 @@ struct Sums {
     force: [Sum; 3],
     compression: Sum,
     moment: [Sum; 3],
+    extent: Option<[V3; 2]>,
 }
 
 /// The resultants of all pairs of bodies in contact, in the order of the bodies.
@@ -40,6 +43,10 @@ pub fn contact_resultants(model: &AnalysisModel, field: &StressField) -> Vec<Con
         let sums = pairs.entry((body(face.a.tet), face.b.map(|(b, _)| body(b.tet)))).or_default();
         let (n, area) = face.normal(model);
         let x = face.corners(model);
+        let [low, high] = sums.extent.get_or_insert([x[0]; 2]);
+        for (k, corner) in x.iter().flat_map(|c| c.iter().enumerate()) {
+            (low[k], high[k]) = (low[k].min(*corner), high[k].max(*corner));
+        }
         let r = contact_tractions(model, field, &face, None);
         let normal = r.map(|r| vec3::dot(r, n));
         for i in 0..3 {
@@ -59,7 +66,9 @@ pub fn contact_resultants(model: &AnalysisModel, field: &StressField) -> Vec<Con
         .map(|(between, s)| {
             let compression = s.compression.value();
             let centre = (compression > 0.0).then(|| s.moment.map(|m| m.value() / compression));
-            ContactResultant { between, force: s.force.map(|f| f.value()), compression, centre }
+            let force = s.force.map(|f| f.value());
+            let extent = s.extent.unwrap_or_default();
+            ContactResultant { between, force, compression, centre, extent }
         })
         .collect()
 }

@@ -7,6 +7,7 @@ use crate::report::markdown::report_data::ReportData;
 use crate::report::printed;
 use crate::report::sheet::head::Paper;
 use crate::report::sheet::{Extent, PDF_FILE};
+use crate::spec::connection::Language;
 use std::path::PathBuf;
 
 /// Print the report of a finished result as PDF.
@@ -21,9 +22,30 @@ pub struct ReportArgs {
     /// Size of the paper.
     #[arg(long, value_enum, default_value_t)]
     pub paper: PaperArg,
+    /// Language of the words; that of the spec if left out. Pictures of meshes keep theirs.
+    #[arg(long, value_enum)]
+    pub language: Option<LanguageArg>,
     /// File to write instead of `report.pdf` in the folder.
     #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,
+}
+
+/// Language on the command line.
+#[derive(Clone, Copy, Debug, clap::ValueEnum)]
+pub enum LanguageArg {
+    /// English.
+    En,
+    /// German.
+    De,
+}
+
+impl From<LanguageArg> for Language {
+    fn from(language: LanguageArg) -> Self {
+        match language {
+            LanguageArg::En => Language::En,
+            LanguageArg::De => Language::De,
+        }
+    }
 }
 
 /// Paper on the command line.
@@ -38,18 +60,28 @@ pub enum PaperArg {
 
 /// Runs `bracket report`.
 pub fn run(args: &ReportArgs, common: &Common) -> CommandResult {
-    let data = ReportData::read(&args.folder)?;
+    let mut data = ReportData::read(&args.folder)?;
+    data.language = args.language.map_or(data.language, Language::from);
     let extent = if args.full { Extent::Full } else { Extent::Short };
     let paper = match args.paper {
         PaperArg::A4 => Paper::A4,
         PaperArg::Letter => Paper::Letter,
     };
     let path = args.out.clone().unwrap_or_else(|| args.folder.join(PDF_FILE));
-    let bytes = printed::pdf(&data, &args.folder, extent, paper)?;
+    let words = data.words();
+    let bytes = printed::pdf(&data, &words, &args.folder, extent, paper)?;
     printed::write(&path, &bytes)?;
+    let english = words.unknown();
     match common.format {
-        Format::Json => out::json(&serde_json::json!({"report": path, "bytes": bytes.len()}))?,
-        Format::Text => out::text(&format!("report: {}\n", path.display()))?,
+        Format::Json => out::json(&serde_json::json!({
+            "report": path, "bytes": bytes.len(), "untranslated": english
+        }))?,
+        Format::Text => {
+            out::text(&format!("report: {}\n", path.display()))?;
+            if !english.is_empty() {
+                out::text(&format!("texts that stay English: {}\n", english.len()))?;
+            }
+        }
     }
     Ok(ExitStatus::Ok)
 }

@@ -8,6 +8,7 @@ use crate::report::markdown::report_data::CatalogueRow;
 use crate::report::markdown::report_data::PictureRef;
 use crate::report::markdown::report_data::ResolvedValue;
 use crate::report::markdown::report_data::Table;
+use crate::spec::connection::Language;
 use crate::spec::polygon::PolygonSpec;
 
 /// The input of a run as the report presents it.
@@ -15,6 +16,8 @@ use crate::spec::polygon::PolygonSpec;
 pub struct RunContext {
     /// Title block.
     pub project: Vec<(String, String)>,
+    /// Language of the reports.
+    pub language: Language,
     /// Name of the input file.
     pub input_name: String,
     /// Text of the input file.

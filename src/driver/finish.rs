@@ -112,6 +112,7 @@ fn write(
     let given = given.map(|d| GivenActions { case: d.case, actions: d.actions }).collect();
     let data = ReportData {
         project: context.project,
+        language: context.language,
         result,
         input_name: context.input_name,
         input_text: context.input_text,
@@ -130,16 +131,19 @@ fn write(
     };
     folder.write("result.json", json.as_bytes())?;
     folder.write(REPORT_DATA_FILE, data.to_json()?.as_bytes())?;
-    let report = report_markdown(&data);
+    let words = data.words();
+    let report = report_markdown(&data, &words);
     folder.write("report.md", report.as_bytes())?;
     let mut scene = analyses.scene;
     scene.add_facts(&data.result);
-    let picture = |name: &str| printed::picture(folder.path(), name);
-    let html = page::page(&sheet(&data, Extent::Full, Paper::A4), &scene, picture)?;
+    scene.translate(&words);
+    let picture = |name: &str| printed::picture(folder.path(), name, &words);
+    let full = sheet(&data, &words, Extent::Full, Paper::A4);
+    let html = page::page(&full, &scene, &words, picture)?;
     folder.write(PAGE_FILE, html.as_bytes())?;
     // the bounds do not depend on it: a report that cannot be set is no reason to lose them
     if cfg!(feature = "pdf") {
-        match printed::pdf(&data, folder.path(), Extent::Short, Paper::A4) {
+        match printed::pdf(&data, &words, folder.path(), Extent::Short, Paper::A4) {
             Ok(bytes) => folder.write(PDF_FILE, &bytes)?,
             Err(fault) => log.line(format!("warning: {}", fault.message)),
         }

@@ -48,6 +48,7 @@ pub fn spec_context(
     let end_plate = input.joint.end_plate.as_ref();
     Ok(RunContext {
         project: block,
+        language: project.language,
         input_name: path.file_name().map_or_else(String::new, |s| s.to_string_lossy().into_owned()),
         input_text: input.text.clone(),
         input_read: yaml::to_string(&as_read(input))?,

@@ -19,6 +19,12 @@ pub fn escaped(text: &str) -> String {
     out
 }
 
+/// The text that [`escaped`] gave.
+pub fn unescaped(text: &str) -> String {
+    let marks = [("&lt;", "<"), ("&gt;", ">"), ("&quot;", "\""), ("&#39;", "'"), ("&amp;", "&")];
+    marks.iter().fold(text.to_owned(), |text, (mark, c)| text.replace(mark, c))
+}
+
 /// JSON that may stand inside a `script` element: no `<` can end it.
 pub fn inside_script(json: &str) -> String {
     json.replace('<', "\\u003c").replace('\u{2028}', "\\u2028").replace('\u{2029}', "\\u2029")
@@ -32,6 +38,7 @@ mod tests {
     fn nothing_ends_an_element_an_attribute_or_a_script() {
         let text = "<b a='1' c=\"2\">&\u{7}\n";
         assert_eq!(escaped(text), "&lt;b a=&#39;1&#39; c=&quot;2&quot;&gt;&amp;\u{fffd}\n");
+        assert_eq!(unescaped(&escaped("<b a='1' c=\"2\">&amp;")), "<b a='1' c=\"2\">&amp;");
         assert_eq!(inside_script("\"</script>\u{2028}\""), "\"\\u003c/script>\\u2028\"");
     }
 }

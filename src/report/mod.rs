@@ -12,3 +12,4 @@ pub mod printed;
 pub mod sheet;
 pub mod study;
 pub mod summary;
+pub mod words;

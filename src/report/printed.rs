@@ -5,23 +5,31 @@ use crate::report::markdown::report_data::ReportData;
 use crate::report::sheet::Extent;
 use crate::report::sheet::head::Paper;
 use crate::report::sheet::sweep::SweepSheet;
+use crate::report::words::Words;
 use std::path::{Component, Path};
 
 /// The bytes of the PDF, with the pictures in the result folder.
 #[cfg(feature = "pdf")]
 pub fn pdf(
     data: &ReportData,
+    words: &Words,
     folder: &Path,
     extent: Extent,
     paper: Paper,
 ) -> Result<Vec<u8>, Box<Diagnostic>> {
-    let sheet = crate::report::sheet::build::sheet(data, extent, paper);
-    crate::report::pdf::pdf(&sheet, |name| picture(folder, name))
+    let sheet = crate::report::sheet::build::sheet(data, words, extent, paper);
+    crate::report::pdf::pdf(&sheet, words, |name| picture(folder, name, words))
 }
 
 /// A program without the feature `pdf` prints no report.
 #[cfg(not(feature = "pdf"))]
-pub fn pdf(_: &ReportData, _: &Path, _: Extent, _: Paper) -> Result<Vec<u8>, Box<Diagnostic>> {
+pub fn pdf(
+    _: &ReportData,
+    _: &Words,
+    _: &Path,
+    _: Extent,
+    _: Paper,
+) -> Result<Vec<u8>, Box<Diagnostic>> {
     Err(no_pdf())
 }
 
@@ -34,21 +42,26 @@ fn no_pdf() -> Box<Diagnostic> {
 
 /// The bytes of the printed summary of a sweep.
 #[cfg(feature = "pdf")]
-pub fn sweep_pdf(sheet: &SweepSheet) -> Result<Vec<u8>, Box<Diagnostic>> {
-    crate::report::pdf::sweep_pdf(sheet)
+pub fn sweep_pdf(sheet: &SweepSheet, words: &Words) -> Result<Vec<u8>, Box<Diagnostic>> {
+    crate::report::pdf::sweep_pdf(sheet, words)
 }
 
 /// A program without the feature `pdf` prints no summary.
 #[cfg(not(feature = "pdf"))]
-pub fn sweep_pdf(_: &SweepSheet) -> Result<Vec<u8>, Box<Diagnostic>> {
+pub fn sweep_pdf(_: &SweepSheet, _: &Words) -> Result<Vec<u8>, Box<Diagnostic>> {
     Err(no_pdf())
 }
 
-/// A picture of a result folder; `None` if there is none of this name.
-pub fn picture(folder: &Path, name: &str) -> Option<Vec<u8>> {
+/// A picture of a result folder, with the words of its drawing; `None` if there is none of this name.
+pub fn picture(folder: &Path, name: &str, words: &Words) -> Option<Vec<u8>> {
     let mut parts = Path::new(name).components();
     let inside = matches!((parts.next(), parts.next()), (Some(Component::Normal(_)), None));
-    inside.then(|| std::fs::read(folder.join(name)).ok()).flatten()
+    let bytes = inside.then(|| std::fs::read(folder.join(name)).ok()).flatten()?;
+    match String::from_utf8(bytes) {
+        Ok(text) if name.ends_with(".svg") => Some(words.drawing(&text).into_bytes()),
+        Ok(text) => Some(text.into_bytes()),
+        Err(other) => Some(other.into_bytes()),
+    }
 }
 
 /// Writes a file aside and renames it, so that no half of it is ever seen.

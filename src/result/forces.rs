@@ -21,7 +21,8 @@ pub struct StaticForces {
     /// whole bolt.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub bolts: Vec<BoltForce>,
-    /// Compression between the parts of the meshed part, except at contacts with bolts.
+    /// Compression between the parts, except at contacts with bolts. If a plane of symmetry cuts a
+    /// contact, the force is that of the whole contact.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub contacts: Vec<ContactForce>,
 }
@@ -52,14 +53,14 @@ pub struct BoltPlace {
     pub position: [f64; 3],
 }
 
-/// Compression between two parts of the meshed part.
+/// Compression between two parts.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ContactForce {
     /// The two parts.
     pub between: [String; 2],
-    /// ∫ r_N dA of the meshed part \[N\].
+    /// ∫ r_N dA \[N\].
     pub compression: f64,
-    /// Centre of pressure of the meshed part \[mm\].
+    /// Centre of pressure \[mm\]; 0 across the planes of symmetry that cut the contact.
     pub centre: [f64; 3],
 }
 
@@ -102,8 +103,17 @@ pub fn static_forces(
     let is_bolt = |name: &String| lines.iter().any(|l| l.part == *name);
     let contacts = found.iter().filter_map(|c| {
         let (a, b) = (bodies.get(c.between.0 as usize)?, bodies.get(c.between.1? as usize)?);
-        let centre = c.centre.filter(|_| !is_bolt(a) && !is_bolt(b))?;
-        Some(ContactForce { between: [a.clone(), b.clone()], compression: c.compression, centre })
+        let mut centre = c.centre.filter(|_| !is_bolt(a) && !is_bolt(b))?;
+        let mut compression = c.compression;
+        for &k in mirror {
+            let ends = c.extent.map(|x| x[k].abs());
+            if ends[0].min(ends[1]) < ON_PLANE && ends[0].max(ends[1]) > ON_PLANE {
+                // the other half of the contact
+                compression *= 2.0;
+                centre[k] = 0.0;
+            }
+        }
+        Some(ContactForce { between: [a.clone(), b.clone()], compression, centre })
     });
     StaticForces { load_factor, bolts: bolts.collect(), contacts: contacts.collect() }
 }

@@ -94,6 +94,34 @@ pub struct Project {
     /// Revision.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub revision: Option<String>,
+    /// Language of the reports.
+    #[serde(skip_serializing_if = "Language::is_default")]
+    pub language: Language,
+}
+
+/// Language of the reports.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Language {
+    /// English.
+    #[default]
+    En,
+    /// German.
+    De,
+}
+
+impl Language {
+    /// Its code, as in HTML and in specs.
+    pub fn code(self) -> &'static str {
+        match self {
+            Language::En => "en",
+            Language::De => "de",
+        }
+    }
+
+    fn is_default(&self) -> bool {
+        *self == Language::default()
+    }
 }
 
 /// A member.

@@ -12,7 +12,8 @@ use bracket::spec::analysis::AnalysisKind;
 
 /// Forces in an elastic T-stub with two bolts under the load. `mirror` lists the symmetry planes of
 /// its mesh.
-fn forces(load: &str, factor: f64, full: bool, mirror: &[usize]) -> StaticForces {
+/// The forces of one solution, read with the planes of symmetry `mirror` and without.
+fn forces(load: &str, factor: f64, full: bool, mirror: &[usize]) -> [StaticForces; 2] {
     let joint = joint(&format!(
         "template: t_stub\nmembers: {{tee: {{profile: IPE300, steel: S235}}}}\nbolts: {{size: \
          M16, grade: \"8.8\", gauge: 100, rows: [0]}}\nparameters: {{length: 60, welded: true, \
@@ -23,7 +24,8 @@ fn forces(load: &str, factor: f64, full: bool, mirror: &[usize]) -> StaticForces
     let m = resolve(&file, mesh, &|_| Place::default()).unwrap_or_else(|e| panic!("{e:#?}"));
     assert_eq!(m.symmetry, 1 << mirror.len());
     let pass = elastic::run(&m, &PassOptions::default(), &silent()).unwrap();
-    static_forces(&m, pass.stress.as_ref().unwrap(), 1.0, &joint.bolts, mirror)
+    [mirror, &[]]
+        .map(|planes| static_forces(&m, pass.stress.as_ref().unwrap(), 1.0, &joint.bolts, planes))
 }
 
 /// In tension the bolts carry the load and the prying force between the flange tips, Σ F_t = N + Q.
@@ -35,24 +37,27 @@ fn forces(load: &str, factor: f64, full: bool, mirror: &[usize]) -> StaticForces
 /// than a point.
 #[test]
 fn bolts_carry_the_load_and_the_prying() {
-    let s = forces("N: 60 kN", 2.0, false, &[0, 1]);
+    let [s, quarter] = forces("N: 60 kN", 2.0, false, &[0, 1]);
     assert_eq!((s.bolts.len(), s.contacts.len()), (1, 1), "{s:?}");
-    // a quarter contains half of one of the two bolts and a quarter of the flanges
-    let (tension, prying) = (2.0 * s.bolts[0].tension, 4.0 * s.contacts[0].compression);
+    // a quarter contains half of one of the two bolts; both planes cut the contact of the flanges
+    let (tension, prying) = (2.0 * s.bolts[0].tension, s.contacts[0].compression);
     println!("tension {tension:.1} N, prying {prying:.1} N");
     assert!((tension - prying - 60e3).abs() < 1e-6 * 60e3, "{tension} {prying}");
     let (m, n) = (50.0 - 3.55, 30.0);
     let beam = m * m / (2.0 * n * (m + n / 3.0));
     assert!((prying / 60e3 / beam - 1.0).abs() < 0.15, "{prying} {beam}");
-    // the flange tips press on each other beyond the bolts
-    assert!(s.contacts[0].centre[0].abs() > 60.0, "{s:?}");
+    // the centre of pressure of the whole contact is on both planes; without the mirror it is that
+    // of the flange tip, which presses beyond the bolt
+    assert_eq!(s.contacts[0].centre[..2], [0.0, 0.0], "{s:?}");
+    assert!(quarter.contacts[0].centre[0].abs() > 60.0, "{quarter:?}");
+    assert!((4.0 * quarter.contacts[0].compression / prying - 1.0).abs() < 1e-12, "{quarter:?}");
 }
 
 /// With shear and bending as well, the forces of all bolts of the whole joint balance the load. One
 /// bolt has a larger tension.
 #[test]
 fn bolts_balance_shear_and_moment() {
-    let s = forces("N: 60 kN, Vz: 6 kN, My: 0.5 kN m", 4.0, true, &[]);
+    let [s, _] = forces("N: 60 kN, Vz: 6 kN, My: 0.5 kN m", 4.0, true, &[]);
     let [a, b] = &s.bolts[..] else { panic!("{s:?}") };
     let flanges = &s.contacts[0];
     let sum = a.tension + b.tension - flanges.compression;

@@ -193,6 +193,7 @@ fn result() -> ResultFile {
 fn data() -> ReportData {
     let pair = |a: &str, b: &str| (a.to_string(), b.to_string());
     ReportData {
+        language: Default::default(),
         project: vec![
             pair("title", "Paper's joint"),
             pair("number", "2026-01"),
@@ -252,7 +253,7 @@ fn data() -> ReportData {
 
 #[test]
 fn golden_report() {
-    compare("report.md", &report_markdown(&data()));
+    compare("report.md", &report_markdown(&data(), &data().words()));
 }
 
 #[test]
@@ -333,7 +334,7 @@ fn estimates_are_never_called_bounds() {
     for case in &mut data.result.cases {
         case.certificate = None;
     }
-    let page = report_markdown(&data);
+    let page = report_markdown(&data, &data.words());
     assert!(page.contains("estimates, not bounds"));
     for claim in [
         "lies between",

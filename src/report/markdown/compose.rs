@@ -14,9 +14,10 @@ use crate::report::markdown::yielding::yielding;
 use crate::report::markdown::{
     component_method, demand, forces, hand_checks, input, polygon, stiffness, summary, verdict,
 };
+use crate::report::words::Words;
 
-/// The text of `report.md`. Equal data give equal texts.
-pub fn report_markdown(data: &ReportData) -> String {
+/// The text of `report.md` in the language of `words`. Equal data give equal texts.
+pub fn report_markdown(data: &ReportData, words: &Words) -> String {
     let mut page = String::new();
     title_block(&mut page, data);
     heading(&mut page, "Answer");
@@ -49,7 +50,7 @@ pub fn report_markdown(data: &ReportData) -> String {
         analyses(&mut page, data);
     }
     input::file(&mut page, data);
-    page
+    words.markdown(&page)
 }
 
 /// The sections behind the numbers of the analyses.

@@ -33,7 +33,6 @@ pub(crate) fn tables(page: &mut String, case: &CaseResult, symmetry: u32) {
         let centre = c.centre.map(|x| format!("{x:.1}")).join(", ");
         vec![inline(&c.between.join(" on ")), kn(c.compression), centre]
     });
-    let part = if symmetry > 1 { "contact, of the meshed part" } else { "contact" };
-    let columns = strings([part, "compression [kN]", "centre of pressure x, y, z [mm]"]);
+    let columns = strings(["contact", "compression [kN]", "centre of pressure x, y, z [mm]"]);
     table(page, &Table { columns, rows: rows.collect() });
 }

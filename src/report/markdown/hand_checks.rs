@@ -51,7 +51,7 @@ pub(crate) fn checks(page: &mut String, checks: &[Check]) {
             }
             row
         });
-        let mut columns = strings(["of", "check", "numbers", "clause"]);
+        let mut columns = strings(["case, part", "check", "numbers", "clause"]);
         if decided {
             columns.extend(strings(["utilisation", "status"]));
         }

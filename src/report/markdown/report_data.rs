@@ -3,8 +3,10 @@
 
 use crate::checks::verdict::Verdict;
 use crate::diag::{Diagnostic, Diagnostics};
+use crate::report::words::Words;
 use crate::result::demand::EndAction;
 use crate::result::result_file::{RESULT_FILE, ResultFile};
+use crate::spec::connection::Language;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
@@ -15,6 +17,9 @@ pub struct ReportData {
     /// Lines of the title block in order, as name (`title`, `number`, `author`, …) and value. The
     /// first line is the heading.
     pub project: Vec<(String, String)>,
+    /// Language of the reports.
+    #[serde(default)]
+    pub language: Language,
     /// The result; `report.json` does not repeat it.
     #[serde(skip, default = "nothing")]
     pub result: ResultFile,
@@ -63,6 +68,20 @@ impl ReportData {
         serde_json::to_string_pretty(self).map(|t| t + "\n").map_err(|e| {
             Diagnostic::environment("report/data", format!("the report's data: {e}")).into()
         })
+    }
+
+    /// The words of the reports. Names of load cases, bodies and members stay as the user gave them.
+    pub fn words(&self) -> Words {
+        let given = self.demands.iter().flat_map(|d| {
+            d.actions.iter().flat_map(|a| [a.end.clone(), a.at.clone()]).chain([d.case.clone()])
+        });
+        let cases = self.result.cases.iter().flat_map(|c| {
+            let parts = c.dissipation.iter().map(|p| p.part.clone());
+            parts.chain(c.limiting_part.clone()).chain([c.name.clone()])
+        });
+        let checked = self.result.checks.iter().filter_map(|c| c.case.clone());
+        let named = self.resolved.iter().map(|v| v.name.clone());
+        Words::new(self.language, given.chain(cases).chain(checked).chain(named))
     }
 
     /// The data of a finished result folder.

@@ -7,6 +7,7 @@ use crate::report::sheet::blocks::{Block, Grid, Text};
 use crate::report::sheet::formula::Piece;
 use crate::report::sheet::{Bar, Sheet, TopicSheet, VerdictBox};
 use crate::report::summary::Tone;
+use crate::report::words::Words;
 use std::fmt::Write as _;
 
 /// The page while it is written.
@@ -14,13 +15,14 @@ pub struct Content<'a> {
     body: String,
     contents: String,
     sections: usize,
+    words: &'a Words,
     picture: &'a dyn Fn(&str) -> Option<Vec<u8>>,
 }
 
 impl<'a> Content<'a> {
-    /// An empty page that takes its pictures from `picture`.
-    pub fn new(picture: &'a dyn Fn(&str) -> Option<Vec<u8>>) -> Self {
-        Self { body: String::new(), contents: String::new(), sections: 0, picture }
+    /// An empty page in the language of `words` that takes its pictures from `picture`.
+    pub fn new(words: &'a Words, picture: &'a dyn Fn(&str) -> Option<Vec<u8>>) -> Self {
+        Self { body: String::new(), contents: String::new(), sections: 0, words, picture }
     }
 
     /// The body and the list of its sections.
@@ -33,23 +35,23 @@ impl<'a> Content<'a> {
         self.title(sheet);
         self.verdict(&sheet.verdict);
         let signs = |p: &&PictureRef| p.file.starts_with("actions");
-        self.section("Joint", |c| {
+        self.titled("Joint", |c| {
             sheet.drawings.iter().filter(|p| !signs(p)).for_each(|p| c.figure(p));
         });
         if let Some(viewer) = viewer {
-            self.section("3-D view", |c| c.body.push_str(&viewer));
+            self.titled("3-D view", |c| c.body.push_str(&viewer));
         }
         if !sheet.actions.rows.is_empty() {
-            self.section("Actions", |c| {
+            self.titled("Actions", |c| {
                 sheet.drawings.iter().filter(signs).for_each(|p| c.figure(p));
                 c.grid(&sheet.actions);
             });
         }
         if !sheet.summary.is_empty() {
-            self.section("Checks", |c| c.summary(sheet));
+            self.titled("Checks", |c| c.summary(sheet));
         }
         if !sheet.answers.is_empty() {
-            self.section("Analysis", |c| {
+            self.titled("Analysis", |c| {
                 for answer in &sheet.answers {
                     c.line("h3", "", &escaped(&answer.name));
                     answer.bar.iter().for_each(|bar| c.bar(bar));
@@ -58,29 +60,29 @@ impl<'a> Content<'a> {
             });
         }
         if !sheet.pictures.is_empty() {
-            self.section("Pictures", |c| sheet.pictures.iter().for_each(|p| c.figure(p)));
+            self.titled("Pictures", |c| sheet.pictures.iter().for_each(|p| c.figure(p)));
         }
         if !sheet.schedule.rows.is_empty() {
-            self.section("Bolts, plates and stiffeners", |c| c.grid(&sheet.schedule));
+            self.titled("Bolts, plates and stiffeners", |c| c.grid(&sheet.schedule));
         }
         if !sheet.welds.rows.is_empty() {
-            self.section("Welds", |c| c.grid(&sheet.welds));
+            self.titled("Welds", |c| c.grid(&sheet.welds));
         }
         if !sheet.design_values.is_empty() {
-            self.section("Partial factors and strengths", |c| c.design_values(sheet));
+            self.titled("Partial factors and strengths", |c| c.design_values(sheet));
         }
         self.list("Warnings", &sheet.warnings);
         self.list("Assumptions and limits", &sheet.assumptions);
         if !sheet.topics.is_empty() {
-            self.section("Checks with their numbers", |c| {
+            self.titled("Checks with their numbers", |c| {
                 sheet.topics.iter().for_each(|t| c.topic(t));
             });
         }
         for section in &sheet.sections {
             self.section(&section.title, |c| section.blocks.iter().for_each(|b| c.block(b)));
         }
-        let hash = escaped(&sheet.head.hash);
-        self.line("footer", "", &format!("{} · input {hash}", escaped(&sheet.head.software)));
+        let (hash, input) = (escaped(&sheet.head.hash), self.words.say("input"));
+        self.line("footer", "", &format!("{} · {input} {hash}", escaped(&sheet.head.software)));
     }
 
     fn title(&mut self, sheet: &Sheet) {
@@ -101,9 +103,10 @@ impl<'a> Content<'a> {
     fn verdict(&mut self, verdict: &VerdictBox) {
         let _ = write!(
             self.body,
-            "<section class=\"verdict {}\" aria-label=\"verdict\">\n<strong \
+            "<section class=\"verdict {}\" aria-label=\"{}\">\n<strong \
              class=\"word\">{}</strong><p>{}</p>\n",
             tone(verdict.tone),
+            escaped(&self.words.say("verdict")),
             escaped(&verdict.word),
             pieces(&verdict.reason)
         );
@@ -121,6 +124,12 @@ impl<'a> Content<'a> {
             self.body.push_str("</ul>\n");
         }
         self.body.push_str("</section>\n");
+    }
+
+    /// A section with a title of the program.
+    fn titled(&mut self, title: &str, write: impl FnOnce(&mut Self)) {
+        let title = self.words.say(title);
+        self.section(&title, write);
     }
 
     /// A section that can be closed; without content there is none.
@@ -161,7 +170,7 @@ impl<'a> Content<'a> {
 
     fn list(&mut self, title: &str, items: &[Text]) {
         if !items.is_empty() {
-            self.section(title, |c| c.block(&Block::List { items: items.to_vec() }));
+            self.titled(title, |c| c.block(&Block::List { items: items.to_vec() }));
         }
     }
 
@@ -221,7 +230,7 @@ impl<'a> Content<'a> {
             ("clause", false),
             ("status", false),
         ];
-        let head = titles.map(|(t, right)| (t.to_string(), right));
+        let head = titles.map(|(t, right)| (escaped(&self.words.say(t)), right));
         let rows = sheet.summary.iter().map(|line| {
             let row = &line.row;
             let cells = vec![
@@ -239,7 +248,7 @@ impl<'a> Content<'a> {
     }
 
     fn design_values(&mut self, sheet: &Sheet) {
-        let head = ["symbol", "of", "value"].map(|t| (t.to_string(), t == "value"));
+        let head = ["symbol", "of", "value"].map(|t| (escaped(&self.words.say(t)), t == "value"));
         let rows = sheet.design_values.iter().map(|(symbol, of, value)| {
             (false, vec![(pieces(symbol), false), (escaped(of), false), (escaped(value), true)])
         });
@@ -249,9 +258,8 @@ impl<'a> Content<'a> {
     fn topic(&mut self, topic: &TopicSheet) {
         self.line("h3", "", &escaped(&topic.title));
         self.line("p", "", &pieces(&topic.words));
-        let titles = [("of", false), ("check", false), ("clause", false), ("utilisation", true)];
-        let mut head = titles.map(|(t, right)| (t.to_string(), right)).to_vec();
-        head.push(("status".into(), false));
+        let titles = ["case, part", "check", "clause", "utilisation", "status"];
+        let head = titles.map(|t| (escaped(&self.words.say(t)), t == "utilisation"));
         let rows = topic.rows.iter().map(|row| {
             let values: Vec<String> =
                 row.values.iter().map(|v| format!("<span>{}</span>", pieces(v))).collect();
@@ -289,25 +297,28 @@ impl<'a> Content<'a> {
                  fill=\"{colour}\">{text}</text>"
             );
         };
-        let (mut said, labels) = (Vec::new(), &bar.labels);
+        let (mut said, labels, words) = (Vec::new(), &bar.labels, self.words);
         if let Some(low) = &labels.low {
-            said.push(format!("at least {low}"));
+            said.push(words.say(&format!("at least {low}")));
             mark(bar.low, 74.0, "var(--accent)", format!("≥ {low}"));
         }
         if let (Some(x), Some(up)) = (bar.up, &labels.up) {
-            said.push(format!("at most {up}"));
+            said.push(words.say(&format!("at most {up}")));
             mark(x, 90.0, "var(--accent)", format!("≤ {up}"));
         }
-        mark(1.0, 14.0, "var(--bad)", "demand 1".into());
+        let demand = escaped(&words.say("demand 1"));
+        mark(1.0, 14.0, "var(--bad)", demand.clone());
         if let (Some(x), Some(method)) = (bar.method, &labels.method) {
-            said.push(format!("component method {method}"));
-            mark(x, 106.0, "var(--open)", format!("component method {method}"));
+            let method = words.say(&format!("component method {method}"));
+            mark(x, 106.0, "var(--open)", escaped(&method));
+            said.push(method);
         }
-        let (from, said) = (at(bar.low), said.join(", "));
+        let (from, said) = (at(bar.low), escaped(&said.join(", ")));
+        let what = escaped(&words.say("load factor"));
         let _ = writeln!(
             self.body,
-            "<svg class=\"bounds\" viewBox=\"0 0 640 112\" role=\"img\" aria-label=\"load factor: \
-             {said}; demand 1\" font-size=\"13\"><line x1=\"10\" x2=\"630\" y1=\"40\" y2=\"40\" \
+            "<svg class=\"bounds\" viewBox=\"0 0 640 112\" role=\"img\" aria-label=\"{what}: \
+             {said}; {demand}\" font-size=\"13\"><line x1=\"10\" x2=\"630\" y1=\"40\" y2=\"40\" \
              stroke=\"currentColor\"/><rect x=\"{from:.1}\" width=\"{:.1}\" y=\"30\" \
              height=\"20\" fill=\"var(--accent)\" opacity=\"0.4\"/>{marks}</svg>",
             end - from

@@ -9,6 +9,7 @@ pub mod scene;
 use crate::diag::Diagnostics;
 use crate::report::escaped::{escaped, inside_script};
 use crate::report::sheet::Sheet;
+use crate::report::words::Words;
 use content::Content;
 use scene::Scene;
 
@@ -33,19 +34,21 @@ const POLICY: &str =
 pub fn page(
     sheet: &Sheet,
     scene: &Scene,
+    words: &Words,
     picture: impl Fn(&str) -> Option<Vec<u8>>,
 ) -> Result<String, Diagnostics> {
-    let mut content = Content::new(&picture);
+    let mut content = Content::new(words, &picture);
     let view = !scene.shapes.is_empty();
-    content.report(sheet, view.then(|| viewer(scene)));
+    content.report(sheet, view.then(|| viewer(scene, words)));
     let (body, contents) = content.finish();
     let title = escaped(&sheet.head.title);
+    let (language, aria) = (words.code(), escaped(&words.say("contents")));
     let mut page = format!(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta \
+        "<!DOCTYPE html>\n<html lang=\"{language}\">\n<head>\n<meta charset=\"utf-8\">\n<meta \
          http-equiv=\"Content-Security-Policy\" content=\"{POLICY}\">\n<meta name=\"viewport\" \
          content=\"width=device-width, initial-scale=1\">\n<title>{title}</title>\n<style>\n\
          {STYLE}</style>\n</head>\n<body>\n<div class=\"frame\">\n<nav \
-         aria-label=\"contents\"><ul>\n{contents}</ul></nav>\n<main>\n{body}</main>\n</div>\n"
+         aria-label=\"{aria}\"><ul>\n{contents}</ul></nav>\n<main>\n{body}</main>\n</div>\n"
     );
     if view {
         let json = serde_json::to_string(scene).map_err(|e| {
@@ -55,19 +58,22 @@ pub fn page(
         page.push_str(&format!("<script type=\"application/json\" id=\"scene\">{json}</script>\n"));
     }
     page.push_str("<script>\n\"use strict\";\n");
-    SCRIPT.iter().for_each(|part| page.push_str(part));
+    SCRIPT.iter().for_each(|part| page.push_str(&words.fill(part)));
     page.push_str("</script>\n</body>\n</html>\n");
     Ok(page)
 }
 
 /// The view with its controls, and the load cases that it leaves out.
-fn viewer(scene: &Scene) -> String {
-    let mut out = VIEW.to_string();
+fn viewer(scene: &Scene, words: &Words) -> String {
+    let mut out = words.fill(VIEW);
     if !scene.left_out.is_empty() {
         let cases = escaped(&scene.left_out.join(", "));
         out.push_str(&format!(
-            "<p class=\"quiet\">Not in this view, which would become too large: the fields of \
-             {cases}. ParaView opens them from the folder <code>fields</code>.</p>\n"
+            "<p class=\"quiet\">{} {cases}</p>\n",
+            escaped(&words.say(
+                "Not in this view, which would become too large; ParaView opens them from the \
+                 folder fields:"
+            ))
         ));
     }
     out

@@ -8,6 +8,7 @@ use crate::math::vec3::V3;
 use crate::mesh::TetMesh;
 use crate::report::draw::options::Colours;
 use crate::report::draw::palette::{Groups, group_colour};
+use crate::report::words::Words;
 use crate::result::result_file::ResultFile;
 use serde::Serialize;
 
@@ -212,9 +213,15 @@ impl Scene {
         }
     }
 
+    /// Sets the titles of fields and the facts of parts in the language of `words`.
+    pub fn translate(&mut self, words: &Words) {
+        self.views.iter_mut().for_each(|v| v.title = words.say(&v.title));
+        let facts = self.parts.iter_mut().flat_map(|p| &mut p.facts);
+        facts.flatten().for_each(|text| *text = words.say(text));
+    }
+
     /// Adds to the parts what the result knows of them: forces of bolts and of contacts.
     pub fn add_facts(&mut self, result: &ResultFile) {
-        let meshed = if result.symmetry > 1 { ", of the meshed part" } else { "" };
         for case in &result.cases {
             let Some(forces) = &case.static_forces else { continue };
             let kn = |force: f64| format!("{:.1} kN", 1e-3 * force);
@@ -232,7 +239,7 @@ impl Scene {
             for c in &forces.contacts {
                 let [a, b] = &c.between;
                 for (part, other) in [(a, b), (b, a)] {
-                    add(part, format!("compression from {other}{meshed}"), kn(c.compression));
+                    add(part, format!("compression from {other}"), kn(c.compression));
                 }
             }
         }

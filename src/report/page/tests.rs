@@ -21,7 +21,9 @@ fn data() -> ReportData {
 
 fn text(data: &ReportData, scene: &Scene) -> String {
     let picture = |name: &str| (name == "drawing.svg").then(|| b"foo".to_vec());
-    page(&sheet(data, Extent::Full, Paper::A4), scene, picture).expect("page")
+    let words = data.words();
+    let sheet = sheet(data, &words, Extent::Full, Paper::A4);
+    page(&sheet, scene, &words, picture).expect("page")
 }
 
 #[test]

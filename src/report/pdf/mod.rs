@@ -7,6 +7,7 @@ use crate::diag::Diagnostic;
 use crate::report::sheet::head::Head;
 use crate::report::sheet::sweep::{SUMMARY_PDF, SweepSheet};
 use crate::report::sheet::{PDF_FILE, Sheet};
+use crate::report::words::Words;
 use std::collections::HashMap;
 use std::sync::LazyLock;
 use typst::diag::{FileError, FileResult};
@@ -25,10 +26,20 @@ const REPORT: &str = include_str!("report.typ");
 /// The layout of the summary of a sweep.
 const SWEEP: &str = include_str!("sweep.typ");
 
-/// The embedded fonts and their index.
+/// The embedded fonts, under the licences in `NOTICE`.
+const FONT_FILES: [&[u8]; 6] = [
+    include_bytes!("fonts/LibertinusSerif-Regular.otf"),
+    include_bytes!("fonts/LibertinusSerif-Bold.otf"),
+    include_bytes!("fonts/LibertinusSerif-Italic.otf"),
+    include_bytes!("fonts/LibertinusSerif-BoldItalic.otf"),
+    include_bytes!("fonts/DejaVuSansMono.ttf"),
+    include_bytes!("fonts/DejaVuSansMono-Bold.ttf"),
+];
+
+/// The fonts and their index.
 static FONTS: LazyLock<(Vec<Font>, LazyHash<FontBook>)> = LazyLock::new(|| {
     let fonts: Vec<Font> =
-        typst_assets::fonts().flat_map(|data| Font::iter(Bytes::new(data))).collect();
+        FONT_FILES.into_iter().flat_map(|data| Font::iter(Bytes::new(data))).collect();
     let book = LazyHash::new(FontBook::from_fonts(&fonts));
     (fonts, book)
 });
@@ -73,6 +84,7 @@ impl World for Files {
 /// that it does not have are left out.
 pub fn pdf(
     sheet: &Sheet,
+    words: &Words,
     picture: impl Fn(&str) -> Option<Vec<u8>>,
 ) -> Result<Vec<u8>, Box<Diagnostic>> {
     let mut sheet = sheet.clone();
@@ -83,12 +95,13 @@ pub fn pdf(
             _ => false,
         });
     }
-    typeset(PDF_FILE, REPORT, (&sheet, &sheet.head), files)
+    typeset(PDF_FILE, &words.fill(&format!("{COMMON}{REPORT}")), (&sheet, &sheet.head), files)
 }
 
 /// The bytes of the summary of a sweep.
-pub fn sweep_pdf(sheet: &SweepSheet) -> Result<Vec<u8>, Box<Diagnostic>> {
-    typeset(SUMMARY_PDF, SWEEP, (sheet, &sheet.head), HashMap::new())
+pub fn sweep_pdf(sheet: &SweepSheet, words: &Words) -> Result<Vec<u8>, Box<Diagnostic>> {
+    let layout = words.fill(&format!("{COMMON}{SWEEP}"));
+    typeset(SUMMARY_PDF, &layout, (sheet, &sheet.head), HashMap::new())
 }
 
 /// Sets a sheet, to be named `file`, with a layout. With a date the file is PDF/A-2b, unless a text
@@ -108,7 +121,7 @@ fn typeset(
     let data = serde_json::to_vec(sheet).map_err(|e| fault(e.to_string()))?;
     files.extend(id("data.json").map(|id| (id, Bytes::new(data))));
     let library = LazyHash::new(Library::default());
-    let world = Files { library, main: Source::new(main, format!("{COMMON}{layout}")), files };
+    let world = Files { library, main: Source::new(main, layout.into()), files };
     let first = |faults: &[typst::diag::SourceDiagnostic]| {
         fault(faults.first().map_or_else(String::new, |d| d.message.to_string()))
     };

@@ -2,6 +2,7 @@
 //! Markdown.
 
 use super::formula::{Piece, pieces};
+use crate::report::words::Words;
 use pulldown_cmark::{Alignment, Event, HeadingLevel, Options, Parser, Tag, TagEnd};
 use serde::Serialize;
 
@@ -150,11 +151,11 @@ pub fn blocks(markdown: &str) -> Vec<Block> {
     out
 }
 
-/// The blocks of a section of the Markdown report.
-pub fn section(write: impl FnOnce(&mut String)) -> Vec<Block> {
+/// The blocks of a section of the Markdown report, in the language of `words`.
+pub fn section(words: &Words, write: impl FnOnce(&mut String)) -> Vec<Block> {
     let mut page = String::new();
     write(&mut page);
-    blocks(&page)
+    blocks(&words.markdown(&page))
 }
 
 #[cfg(test)]

@@ -17,7 +17,7 @@ use crate::report::markdown::assumptions::assumptions;
 use crate::report::markdown::collapse::mechanism;
 use crate::report::markdown::demand::actions;
 use crate::report::markdown::hand_checks::{TOPICS, place, status, value_of};
-use crate::report::markdown::report_data::{ReportData, ResolvedValue, Table};
+use crate::report::markdown::report_data::{PictureRef, ReportData, ResolvedValue, Table};
 use crate::report::markdown::verdict::parts;
 use crate::report::markdown::warnings::all_warnings;
 use crate::report::markdown::words::analysis_word;
@@ -26,79 +26,91 @@ use crate::report::markdown::{
     certificate, component_method, forces, history, input, polygon, stiffness,
 };
 use crate::report::summary::{SummaryRow, Tone, summary_rows};
+use crate::report::words::Words;
 use crate::result::result_file::{CaseResult, Quantity, ResultFile, Upper};
 
 /// The sheet of a report.
-pub fn sheet(data: &ReportData, extent: Extent, paper: Paper) -> Sheet {
+pub fn sheet(data: &ReportData, words: &Words, extent: Extent, paper: Paper) -> Sheet {
     let full = extent == Extent::Full;
     let title = data.project.first().map_or_else(|| data.input_name.clone(), |l| l.1.clone());
     let project = data.project.iter().skip(1).cloned().collect();
     let hash = data.result.input_hash.clone();
+    let rows = summary_rows(&data.result);
+    let sentences = |all: Vec<String>| all.iter().map(|s| sentence(&words.say(s))).collect();
     Sheet {
         extent,
-        head: Head::new(paper, title, project, &data.result.tool, hash),
-        verdict: verdict(&data.result),
-        drawings: data.drawings.clone(),
-        actions: grid(&actions(&data.result, &data.demands)),
-        summary: summary_rows(&data.result).into_iter().map(summary_line).collect(),
-        answers: data.result.cases.iter().map(|c| case_answer(c, data)).collect(),
-        pictures: data.pictures.clone(),
-        design_values: design_values(&data.resolved),
-        schedule: grid(&data.schedule),
-        welds: grid(&data.welds),
-        warnings: all_warnings(data).iter().map(|w| sentence(w)).collect(),
-        topics: if full { topics(&data.result.checks) } else { Vec::new() },
-        assumptions: assumptions(data).iter().map(|a| sentence(a)).collect(),
-        sections: if full { sections(data) } else { Vec::new() },
+        head: Head::new(paper, title, project, words, &data.result.tool, hash),
+        verdict: verdict(&data.result, words),
+        drawings: captions(&data.drawings, words),
+        actions: grid(&actions(&data.result, &data.demands), words),
+        summary: rows.into_iter().map(|r| summary_line(r, words)).collect(),
+        answers: data.result.cases.iter().map(|c| case_answer(c, data, words)).collect(),
+        pictures: captions(&data.pictures, words),
+        design_values: design_values(&data.resolved, words),
+        schedule: grid(&data.schedule, words),
+        welds: grid(&data.welds, words),
+        warnings: sentences(all_warnings(data)),
+        topics: if full { topics(&data.result.checks, words) } else { Vec::new() },
+        assumptions: sentences(assumptions(data)),
+        sections: if full { sections(data, words) } else { Vec::new() },
     }
 }
 
-fn summary_line(row: SummaryRow) -> SummaryLine {
-    SummaryLine { what: pieces(&row.check), row }
+fn summary_line(mut row: SummaryRow, words: &Words) -> SummaryLine {
+    for text in [&mut row.case, &mut row.demand, &mut row.resistance, &mut row.clause] {
+        *text = words.say(text);
+    }
+    row.status = words.say(&row.status);
+    SummaryLine { what: pieces(&words.say(&row.check)), row }
 }
 
-fn grid(table: &Table) -> Grid {
+fn captions(pictures: &[PictureRef], words: &Words) -> Vec<PictureRef> {
+    let one = |p: &PictureRef| PictureRef { caption: words.say(&p.caption), file: p.file.clone() };
+    pictures.iter().map(one).collect()
+}
+
+fn grid(table: &Table, words: &Words) -> Grid {
     let number = |c: usize| {
         let mut cells = table.rows.iter().filter_map(|r| r.get(c)).filter(|t| !t.is_empty());
         cells.all(|t| t.starts_with(|l: char| l.is_ascii_digit() || "-−–".contains(l)))
     };
     Grid {
-        columns: table.columns.iter().map(plain).collect(),
+        columns: table.columns.iter().map(|c| plain(words.say(c))).collect(),
         right: (0..table.columns.len()).map(number).collect(),
-        rows: table.rows.iter().map(|r| r.iter().map(plain).collect()).collect(),
+        rows: table.rows.iter().map(|r| r.iter().map(|c| plain(words.say(c))).collect()).collect(),
     }
 }
 
-fn verdict(result: &ResultFile) -> VerdictBox {
-    let word = result.verdict.words().to_string();
+fn verdict(result: &ResultFile, words: &Words) -> VerdictBox {
+    let word = words.say(result.verdict.words());
     let tone = result.verdict.into();
     let Some(j) = &result.judgement else {
         let reason = match result.verdict {
             Verdict::NotOk => "A check that needs no load fails.",
             _ => "No load is a demand on the joint: only actions at member ends are.",
         };
-        return VerdictBox { word, tone, reason: pieces(reason), parts: Vec::new() };
+        return VerdictBox { word, tone, reason: pieces(&words.say(reason)), parts: Vec::new() };
     };
     let part = |(name, v, on): (&str, Verdict, &str)| {
-        (name.to_string(), v.words().to_string(), Tone::from(v), on.to_string())
+        (words.say(name), words.say(v.words()), Tone::from(v), words.say(on))
     };
     VerdictBox {
         word,
         tone,
-        reason: pieces(&format!("{}.", j.reason)),
+        reason: pieces(&words.say(&format!("{}.", j.reason))),
         parts: parts(j).into_iter().map(part).collect(),
     }
 }
 
-fn case_answer(case: &CaseResult, data: &ReportData) -> CaseAnswer {
-    let blocks = section(|page| {
+fn case_answer(case: &CaseResult, data: &ReportData, words: &Words) -> CaseAnswer {
+    let blocks = section(words, |page| {
         answer(page, case, data);
         component_method::lines(page, case);
         stiffness::lines(page, case);
         forces::tables(page, case, data.result.symmetry);
     });
     CaseAnswer {
-        name: format!("{}, {}", case.name, analysis_word(case.analysis)),
+        name: format!("{}, {}", case.name, words.say(analysis_word(case.analysis))),
         bar: bar(case),
         blocks,
     }
@@ -126,7 +138,7 @@ fn bar(case: &CaseResult) -> Option<Bar> {
 }
 
 /// Partial factors, and strengths of the materials.
-fn design_values(resolved: &[ResolvedValue]) -> Vec<(Vec<Piece>, String, String)> {
+fn design_values(resolved: &[ResolvedValue], words: &Words) -> Vec<(Vec<Piece>, String, String)> {
     let value = |v: &ResolvedValue| format!("{} {}", v.value, v.unit).trim().to_string();
     let one = |v: &ResolvedValue| {
         if let Some(which) = v.name.strip_prefix("code.gamma_") {
@@ -137,22 +149,22 @@ fn design_values(resolved: &[ResolvedValue]) -> Vec<(Vec<Piece>, String, String)
             ));
         }
         let material = v.name.strip_prefix("materials.")?.strip_suffix(".fy")?;
-        Some((pieces("f_y"), material.to_string(), value(v)))
+        Some((pieces("f_y"), words.say(material), value(v)))
     };
     resolved.iter().filter_map(one).collect()
 }
 
-fn topics(checks: &[Check]) -> Vec<TopicSheet> {
-    let of = |(topic, title, words): &(crate::checks::Topic, &str, &str)| {
+fn topics(checks: &[Check], words: &Words) -> Vec<TopicSheet> {
+    let of = |(topic, title, about): &(crate::checks::Topic, &str, &str)| {
         let mine: Vec<&Check> = checks.iter().filter(|c| c.topic == *topic).collect();
-        let rows = mine.into_iter().map(worked).collect::<Vec<_>>();
-        let sheet = TopicSheet { title: (*title).into(), words: pieces(words), rows };
+        let rows = mine.into_iter().map(|c| worked(c, words)).collect::<Vec<_>>();
+        let sheet = TopicSheet { title: words.say(title), words: pieces(&words.say(about)), rows };
         (!sheet.rows.is_empty()).then_some(sheet)
     };
     TOPICS.iter().filter_map(of).collect()
 }
 
-fn worked(c: &Check) -> WorkedRow {
+fn worked(c: &Check, words: &Words) -> WorkedRow {
     let tone = match c.status {
         Status::Ok => Tone::Good,
         Status::Failed => Tone::Bad,
@@ -162,28 +174,28 @@ fn worked(c: &Check) -> WorkedRow {
     // the same digits as in the summary
     let used = c.utilisation.map(number);
     WorkedRow {
-        of: place(c),
-        check: pieces(&c.title),
-        formula: formula(&c.formula),
-        values: c.values.iter().map(|s| pieces(&value_of(s))).collect(),
-        clause: c.clause.clone(),
+        of: words.say(&place(c)),
+        check: pieces(&words.say(&c.title)),
+        formula: formula(&words.say(&c.formula)),
+        values: c.values.iter().map(|s| pieces(&words.say(&value_of(s)))).collect(),
+        clause: words.say(&c.clause),
         utilisation: used.unwrap_or_else(|| "–".into()),
-        status: status(c.status).into(),
+        status: words.say(status(c.status)),
         tone,
     }
 }
 
-fn sections(data: &ReportData) -> Vec<Section> {
+fn sections(data: &ReportData, words: &Words) -> Vec<Section> {
     let mut out = Vec::new();
     let mut add = |title: &str, blocks: Vec<Block>| {
         if !blocks.is_empty() {
-            out.push(Section { title: title.into(), blocks });
+            out.push(Section { title: words.say(title), blocks });
         }
     };
-    add("Capacity for two actions", section(|page| polygon::section(page, &data.result)));
+    add("Capacity for two actions", section(words, |page| polygon::section(page, &data.result)));
     let cases = || data.result.cases.iter();
     add("Mechanism and yielding", {
-        section(|page| {
+        section(words, |page| {
             cases().for_each(|c| {
                 mechanism(page, c);
                 yielding(page, c);
@@ -191,17 +203,20 @@ fn sections(data: &ReportData) -> Vec<Section> {
         })
     });
     if !data.result.cases.is_empty() {
-        let mut blocks = section(|page| {
+        let mut blocks = section(words, |page| {
             let run = cases().filter(|c| !c.history.is_empty());
             run.for_each(|c| history::history(page, c, data.result.symmetry));
         });
         if !data.mesh_quality.rows.is_empty() {
-            blocks.insert(0, Block::Table { table: grid(&data.mesh_quality) });
+            blocks.insert(0, Block::Table { table: grid(&data.mesh_quality, words) });
         }
         add("Mesh and history", blocks);
-        add("Certificate", section(|page| certificate::certificates(page, data)));
+        add("Certificate", section(words, |page| certificate::certificates(page, data)));
     }
-    add("Resolved values, catalogue rows and notes", section(|page| input::values(page, data)));
+    add(
+        "Resolved values, catalogue rows and notes",
+        section(words, |page| input::values(page, data)),
+    );
     add("Input file as given", vec![Block::Code { text: data.input_text.clone() }]);
     out
 }

@@ -1,5 +1,6 @@
 //! What stands at the head and foot of every page of a printed report.
 
+use crate::report::words::Words;
 use crate::result::result_file::Tool;
 use serde::Serialize;
 
@@ -30,6 +31,8 @@ pub struct Head {
     pub date: Option<[u32; 3]>,
     /// Title block: names and values.
     pub project: Vec<(String, String)>,
+    /// Language of the texts, as a code.
+    pub language: &'static str,
     /// Program and version.
     pub software: String,
     /// Hash of the input; empty for a sweep, whose cases have their own.
@@ -42,22 +45,23 @@ impl Head {
         paper: Paper,
         title: String,
         project: Vec<(String, String)>,
+        words: &Words,
         tool: &Tool,
         hash: String,
     ) -> Self {
         let value = |name: &str| project.iter().find(|(n, _)| n == name).map(|(_, v)| v.as_str());
-        let running = [("number", ""), ("revision", "revision ")];
-        let running: Vec<String> =
-            running.iter().filter_map(|(n, word)| Some(format!("{word}{}", value(n)?))).collect();
+        let revision = value("revision").map(|r| format!("{} {r}", words.say("revision")));
+        let running = [value("number").map(String::from), revision];
         Self {
             paper,
             title,
-            running: running.join(", "),
+            running: running.into_iter().flatten().collect::<Vec<_>>().join(", "),
             author: value("author").unwrap_or_default().into(),
             date: value("date").and_then(date),
             software: format!("{} {}", tool.name, tool.version),
             hash,
-            project,
+            language: words.code(),
+            project: project.into_iter().map(|(n, v)| (words.say(&n), v)).collect(),
         }
     }
 }

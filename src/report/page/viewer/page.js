@@ -222,7 +222,7 @@ const start = () => {
     const head = Object.assign(document.createElement("strong"), { textContent: name });
     box.replaceChildren(head);
     const rows = [];
-    if (fy) rows.push(["", "strength in the model", `${digits(fy)} MPa`]);
+    if (fy) rows.push(["", "⟦strength in the model⟧", `${digits(fy)} MPa`]);
     if (value !== null && state.view) {
       rows.push([state.view.case, state.view.title, `${digits(value)} ${state.view.unit}`]);
     }

@@ -170,7 +170,7 @@ const utilisation = (view, parts) => {
   if (!parts.some((p) => p.fy)) return null;
   const out = Object.assign(Object.create(View.prototype), view);
   out.values = view.values.map((v, i) => v / (fy(i >> 2) || Infinity));
-  return Object.assign(out, { title: "von Mises stress / yield strength", unit: "", shown: [0, 1] });
+  return Object.assign(out, { title: "⟦von Mises stress / yield strength⟧", unit: "", shown: [0, 1] });
 };
 
 const vertex = (out, at, shape, view, node, value, part) => {
