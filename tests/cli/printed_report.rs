@@ -76,6 +76,31 @@ fn a_reader_finds_verdict_and_every_check() {
     assert!(full.contains(&bare("beam_to_column_end_plate")), "the input is echoed");
 }
 
+/// No text of these reports stays English, and names of the user stay as they are.
+#[test]
+fn reports_in_german_are_complete() {
+    let german = PROJECT.replace("{title", "{language: de, title");
+    let bench = bench(&german);
+    expect(&bench, &["check", "joint.yaml", "--out", "r"], 0);
+    let short = text(&bench, "r/report.pdf");
+    for words in ["Nachweise", "Einwirkungen", "Seite 1 von", "Revision C", "beam_right"] {
+        assert!(short.contains(&bare(words)), "{words}");
+    }
+    assert!(bench.read("r/report.md").contains("## Ergebnis"));
+    let page = bench.read("r/report.html");
+    assert!(page.contains("<html lang=\"de\">") && page.contains("<h2>Nachweise</h2>"), "{page}");
+    // the data for programs keep their words
+    assert!(bench.read("r/result.json").contains("moment and axial force of the joint"));
+    let joint = |name: &str| format!("{}/examples/{name}/joint.yaml", env!("CARGO_MANIFEST_DIR"));
+    for name in ["double_sided", "one_sided_stiffened", "paper_joint", "splice_flush"] {
+        expect(&bench, &["check", &joint(name), "--out", name], 0);
+        let args = ["report", name, "--full", "--language", "de", "--format", "json"];
+        let out = bench.run(&args);
+        let told: Value = serde_json::from_slice(&out.stdout).expect("JSON");
+        assert_eq!(told["untranslated"], serde_json::json!([]), "{name}");
+    }
+}
+
 #[test]
 fn equal_input_gives_equal_bytes_and_an_archival_file() {
     let bench = bench(PROJECT);
