@@ -52,7 +52,7 @@ pub fn sweep_pdf(_: &SweepSheet, _: &Words) -> Result<Vec<u8>, Box<Diagnostic>> 
     Err(no_pdf())
 }
 
-/// A picture of a result folder, with the words of its drawing; `None` if there is none of this name.
+/// A picture of a result folder, drawings with `words`; `None` if there is none of this name.
 pub fn picture(folder: &Path, name: &str, words: &Words) -> Option<Vec<u8>> {
     let mut parts = Path::new(name).components();
     let inside = matches!((parts.next(), parts.next()), (Some(Component::Normal(_)), None));

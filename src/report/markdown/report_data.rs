@@ -70,7 +70,7 @@ impl ReportData {
         })
     }
 
-    /// The words of the reports. Names of load cases, bodies and members stay as the user gave them.
+    /// The words of the reports. Names of load cases, bodies and members stay as given.
     pub fn words(&self) -> Words {
         let given = self.demands.iter().flat_map(|d| {
             d.actions.iter().flat_map(|a| [a.end.clone(), a.at.clone()]).chain([d.case.clone()])
