@@ -66,7 +66,7 @@ impl Gapped {
 }
 
 /// True if every bracket of a text is closed in it.
-fn balanced(text: &str) -> bool {
+pub fn balanced(text: &str) -> bool {
     let step = |open: Option<u32>, c: char| match c {
         '(' => open.map(|n| n + 1),
         ')' => open.and_then(|n| n.checked_sub(1)),

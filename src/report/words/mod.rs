@@ -78,7 +78,7 @@ impl Words {
     }
 
     /// A text of the report in the language. What the language file does not have as a whole is
-    /// taken apart at its sentences, colons and commas.
+    /// taken apart at its sentences, colons, commas and brackets.
     pub fn say(&self, text: &str) -> String {
         let Some(dictionary) = self.dictionary else { return text.into() };
         let (said, complete) = self.translated(text, dictionary);
@@ -123,11 +123,17 @@ impl Words {
             return (said + ".", complete);
         }
         for between in [". ", "; ", ": ", ", "] {
-            if let Some((first, rest)) = text.split_once(between) {
-                let (first, known) = self.translated(first, dictionary);
-                let (rest, complete) = self.translated(rest, dictionary);
+            let open = |at: &usize| gaps::balanced(&text[..*at]);
+            if let Some(at) = text.match_indices(between).map(|m| m.0).find(open) {
+                let (first, known) = self.translated(&text[..at], dictionary);
+                let (rest, complete) = self.translated(&text[at + between.len()..], dictionary);
                 return (format!("{first}{between}{rest}"), known && complete);
             }
+        }
+        if let Some((outside, inside)) = text.strip_suffix(')').and_then(|t| t.split_once(" (")) {
+            let (outside, known) = self.translated(outside, dictionary);
+            let (inside, complete) = self.translated(inside, dictionary);
+            return (format!("{outside} ({inside})"), known && complete);
         }
         let fitted = self.fitted(text, &dictionary.short, dictionary);
         fitted.unwrap_or_else(|| (text.into(), !has_words(text)))
@@ -203,8 +209,8 @@ impl Words {
 fn has_words(text: &str) -> bool {
     let word = |w: &str| {
         let w = w.trim_matches(|c: char| !c.is_alphanumeric());
-        w.len() > 3
-            && w.chars().all(char::is_alphabetic)
+        w.len() > 2
+            && w.chars().all(|c| c.is_alphabetic() || c == '-')
             && w.chars().skip(1).all(char::is_lowercase)
     };
     text.split_whitespace().any(word)
