@@ -7,6 +7,7 @@ use crate::report::markdown::report_data::ReportData;
 use crate::report::printed;
 use crate::report::sheet::head::Paper;
 use crate::report::sheet::{Extent, PDF_FILE};
+use crate::result::digests::{DIGESTS_FILE, Digests};
 use crate::spec::connection::Language;
 use std::path::PathBuf;
 
@@ -71,6 +72,13 @@ pub fn run(args: &ReportArgs, common: &Common) -> CommandResult {
     let words = data.words();
     let bytes = printed::pdf(&data, &words, &args.folder, extent, paper)?;
     printed::write(&path, &bytes)?;
+    if args.out.is_none() {
+        // the printed report is a file of the result
+        if let Ok(Some(mut digests)) = Digests::read(&args.folder) {
+            digests.set(PDF_FILE, &bytes);
+            printed::write(&args.folder.join(DIGESTS_FILE), digests.text().as_bytes())?;
+        }
+    }
     let english = words.unknown();
     match common.format {
         Format::Json => out::json(&serde_json::json!({

@@ -3,8 +3,9 @@
 
 use super::common::{CommandResult, Common, Format};
 use crate::diag::ExitStatus;
+use crate::driver::verify_folder::{Verified, verify_folder};
 use crate::report::console::out;
-use crate::result::verify::{Finding, Verification, verify};
+use crate::result::verify::Finding;
 use std::path::PathBuf;
 
 /// Recompute the certificate of a finished result.
@@ -17,29 +18,37 @@ pub struct VerifyArgs {
 
 /// Runs `bracket verify`.
 pub fn run(args: &VerifyArgs, common: &Common) -> CommandResult {
-    let verification = verify(&args.folder)?;
-    let confirmed = verification.confirmed();
+    let verified = verify_folder(&args.folder)?;
+    let confirmed = verified.confirmed();
     match common.format {
         Format::Json => out::json(&serde_json::json!({
             "confirmed": confirmed,
-            "bounds": verification.findings,
-            "refuted": verification.refuted,
+            "bounds": verified.bounds,
+            "refuted": verified.refuted,
+            "recomputed": verified.recomputed,
+            "recorded": verified.recorded,
         }))?,
-        Format::Text => out::text(&page(&verification))?,
+        Format::Text => out::text(&page(&verified))?,
     }
     Ok(if confirmed { ExitStatus::Ok } else { ExitStatus::NotOk })
 }
 
-fn page(verification: &Verification) -> String {
+fn page(verified: &Verified) -> String {
     let head =
         ["case", "bound", "claimed", "recomputed", "worst residual", "random points", "finding"];
-    let rows: Vec<Vec<String>> = verification.findings.iter().map(row).collect();
+    let rows: Vec<Vec<String>> = verified.bounds.iter().map(row).collect();
     let mut text = out::columns(&head, &rows);
-    for sentence in &verification.refuted {
+    if rows.is_empty() {
+        text = "the result claims no bound\n".into();
+    }
+    for sentence in &verified.refuted {
         text += &format!("REFUTED: {sentence}\n");
     }
-    if rows.is_empty() {
-        text += "the result claims no bound: nothing to confirm\n";
+    for what in &verified.recomputed {
+        text += &format!("recomputed: {what}\n");
+    }
+    for what in &verified.recorded {
+        text += &format!("recorded, not recomputed: {what}\n");
     }
     text
 }

@@ -2,9 +2,10 @@
 //! chooses the exit status.
 
 use crate::checks::verdict::Verdict;
-use crate::checks::{Analysed, judge};
+use crate::checks::{Analysed, HandChecks, judge};
 use crate::diag::{Diagnostic, Diagnostics, ExitStatus};
 use crate::driver::context::RunContext;
+use crate::driver::demands::CaseDemand;
 use crate::report::console::answer::answer;
 use crate::report::console::log::Log;
 use crate::report::draw::dxf::DXF_FILE;
@@ -28,9 +29,6 @@ use crate::spec::analysis::AnalysisKind;
 /// The data that the analyses of a run leave. The default describes a run without analyses.
 #[derive(Default)]
 pub struct Analyses {
-    /// Load case of every requested analysis; it occurs several times if there are several kinds of
-    /// analysis.
-    pub asked: Vec<String>,
     /// The user ended the run.
     pub interrupted: bool,
     /// Pictures in the folder.
@@ -62,8 +60,8 @@ pub fn finish(
     folder: ResultFolder,
     log: &Log,
 ) -> Result<Finished, Diagnostics> {
-    judge_result(&mut result, &mut context, &analyses);
-    let status = exit_status(&result, &analyses);
+    judge_result(&mut result, &mut context.checks, &context.demands);
+    let status = exit_status(&result);
     let interrupted = analyses.interrupted;
     let result = write(result, context, analyses, &folder, log)?;
     for c in &result.cases {
@@ -170,13 +168,13 @@ fn verdict_line(result: &ResultFile, status: ExitStatus) -> String {
 }
 
 /// The load cases with a demand. If there are analyses, the cases are in the order of the analyses.
-fn demanded(context: &RunContext, analyses: &Analyses) -> Vec<String> {
-    let demanded = context.demands.iter().map(|d| &d.case);
-    if analyses.asked.is_empty() {
+fn demanded(demands: &[CaseDemand], asked: &[String]) -> Vec<String> {
+    let demanded = demands.iter().map(|d| &d.case);
+    if asked.is_empty() {
         return demanded.cloned().collect();
     }
     let mut out: Vec<String> = Vec::new();
-    for case in analyses.asked.iter().filter(|a| demanded.clone().any(|d| d == *a)) {
+    for case in asked.iter().filter(|a| demanded.clone().any(|d| d == *a)) {
         if !out.contains(case) {
             out.push(case.clone());
         }
@@ -186,7 +184,7 @@ fn demanded(context: &RunContext, analyses: &Analyses) -> Vec<String> {
 
 /// Judges all load cases with a demand: sets their verdicts, and completes the checks by the
 /// findings of the analyses.
-fn judge_result(result: &mut ResultFile, context: &mut RunContext, analyses: &Analyses) {
+pub fn judge_result(result: &mut ResultFile, checks: &mut HandChecks, demands: &[CaseDemand]) {
     let of_case = |case: &String| {
         let entries = || result.cases.iter().filter(|c| c.name == *case);
         let limit = entries().find(|c| c.analysis == AnalysisKind::Limit);
@@ -196,7 +194,7 @@ fn judge_result(result: &mut ResultFile, context: &mut RunContext, analyses: &An
         // missing
         let verdict = match limit {
             Some(c) => by_analysis(c),
-            None if entries().count() < analyses.asked.iter().filter(|a| *a == case).count() => {
+            None if entries().count() < result.asked.iter().filter(|a| *a == case).count() => {
                 Verdict::Undecided
             }
             None => Verdict::worst(entries().map(by_analysis)),
@@ -212,11 +210,11 @@ fn judge_result(result: &mut ResultFile, context: &mut RunContext, analyses: &An
             brittle,
         }
     };
-    let analysed: Vec<Analysed> = demanded(context, analyses).iter().map(of_case).collect();
+    let analysed: Vec<Analysed> = demanded(demands, &result.asked).iter().map(of_case).collect();
     if analysed.is_empty() {
-        result.verdict = if context.checks.failed() { Verdict::NotOk } else { Verdict::None };
+        result.verdict = if checks.failed() { Verdict::NotOk } else { Verdict::None };
     } else {
-        let (judgement, each) = judge(&mut context.checks, &analysed);
+        let (judgement, each) = judge(checks, &analysed);
         for (a, j) in analysed.iter().zip(&each) {
             let demands = result
                 .cases
@@ -228,12 +226,12 @@ fn judge_result(result: &mut ResultFile, context: &mut RunContext, analyses: &An
         result.verdict = judgement.verdict;
         result.judgement = Some(judgement);
     }
-    result.checks.clone_from(&context.checks.checks);
+    result.checks.clone_from(&checks.checks);
 }
 
 /// The exit status for the verdict. Without a demand it states whether all analyses are certified.
-fn exit_status(result: &ResultFile, analyses: &Analyses) -> ExitStatus {
-    let complete = analyses.asked.is_empty() || result.cases.len() == analyses.asked.len();
+fn exit_status(result: &ResultFile) -> ExitStatus {
+    let complete = result.asked.is_empty() || result.cases.len() == result.asked.len();
     match result.verdict {
         Verdict::NotOk => ExitStatus::NotOk,
         Verdict::Undecided => ExitStatus::Undecided,

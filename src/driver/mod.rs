@@ -31,3 +31,5 @@ pub mod spec_checks;
 pub mod spec_context;
 pub mod spec_file;
 pub mod study;
+pub mod verify_folder;
+mod verify_spec;

@@ -45,8 +45,8 @@ pub fn run_cases(
     let mut result = ResultFile::new(context.input_hash.clone(), symmetry, Verdict::None);
     result.warnings.clone_from(&context.checks.notes);
     let asked: Vec<String> = cases.iter().map(|c| c.name.clone()).collect();
+    result.asked.clone_from(&asked);
     let mut analyses = Analyses {
-        asked: asked.clone(),
         scene: Scene::new(&context.mirror),
         traits: ModelTraits { facets: true, symmetry: symmetry > 1, ..ModelTraits::default() },
         ..Analyses::default()
@@ -145,15 +145,21 @@ fn judge_case(entry: &mut CaseResult, upper: &Kept, of_polygon: bool, context: &
             context.coarser
         ));
     }
-    if entry.quantity == Quantity::LoadFactor {
-        let (lower, upper) = entry.safe_bounds();
-        entry.utilisation = verdict::utilisation(lower, upper);
-    }
+    entry.utilisation = safe_utilisation(entry);
     let demand = context.demands.iter().find(|d| d.case == entry.name && !of_polygon);
     if let Some(demand) = demand {
         let actions = demand.actions.clone();
         entry.demand = Some(Demand::new(entry, certified(entry), actions, &context.checks));
     }
+}
+
+/// Demand over capacity by the strict bounds of a load factor.
+pub fn safe_utilisation(entry: &CaseResult) -> Option<[f64; 2]> {
+    if entry.quantity != Quantity::LoadFactor {
+        return None;
+    }
+    let (lower, upper) = entry.safe_bounds();
+    verdict::utilisation(lower, upper)
 }
 
 /// Adds to an entry: preloads of halved bolts, the forces of the static field, and the stiffness of

@@ -29,8 +29,13 @@ pub fn read(path: &Path, catalog_dir: Option<&Path>) -> Result<SpecFile, Diagnos
             .file(path)
             .help("check the path; `bracket new TEMPLATE -o FILE` writes a starter spec")
     })?;
-    let mut spec = yaml::parse::<ConnectionSpec>(&text, path).map_err(|faults| {
-        if top_level(&text, "mesh") && top_level(&text, "bodies") {
+    parse(&text, path, catalog_dir)
+}
+
+/// The spec with this text. Its templates and tables are looked up beside `path`.
+pub fn parse(text: &str, path: &Path, catalog_dir: Option<&Path>) -> Result<SpecFile, Diagnostics> {
+    let mut spec = yaml::parse::<ConnectionSpec>(text, path).map_err(|faults| {
+        if top_level(text, "mesh") && top_level(text, "bodies") {
             let hint = "this looks like a model file: `bracket analyse` reads it";
             return faults.into_first().help(hint).into();
         }
@@ -51,7 +56,7 @@ pub fn read(path: &Path, catalog_dir: Option<&Path>) -> Result<SpecFile, Diagnos
     let base = path.parent().unwrap_or(Path::new(""));
     let catalog = open_catalog(&spec, base, catalog_dir)?;
     let joint = assembly::build(&spec, base, &catalog)?;
-    Ok(SpecFile { text, spec, joint, catalog })
+    Ok(SpecFile { text: text.into(), spec, joint, catalog })
 }
 
 /// The built-in catalogue together with the folder of the option or of the spec.

@@ -2,8 +2,13 @@
 //!
 //! All files go into `NAME.part` beside the target. Only [`ResultFolder::finish`] moves it into
 //! place. If a run ends in any other way, the part is removed and the target is unchanged.
+//!
+//! An earlier result is moved to `NAME.old.part` first. Of its files only those go that its
+//! `digests.b3` lists; whatever else the user put there moves into the new folder. Remains of a
+//! program that was killed between these steps are put in order by the next run.
 
 use crate::diag::Diagnostic;
+use crate::result::digests::{DIGESTS_FILE, Digests, files};
 use crate::result::result_file::RESULT_FILE;
 use crate::result::result_file::ResultError;
 use crate::result::result_file::ResultFile;
@@ -15,6 +20,9 @@ use std::sync::{Arc, Mutex, PoisonError};
 /// File that marks a `.part` folder as written by this program. It is locked while a run writes
 /// into the folder.
 const MARKER: &str = ".bracket-run";
+
+/// Suffix of the earlier result while the new one takes its place.
+const OLD: &str = ".old.part";
 
 /// Reason why a result folder cannot be written.
 #[derive(Debug, thiserror::Error)]
@@ -158,7 +166,13 @@ impl ResultFolder {
             .try_for_each(|p| fs::create_dir(p).map_err(io_error("create the folder", p)))
             .and_then(|()| claim(&part, &target));
         match result {
-            Ok(lock) => Ok(Self { target, part, parents, _lock: lock, finished: Arc::default() }),
+            Ok(lock) => {
+                let out = Self { target, part, parents, _lock: lock, finished: Arc::default() };
+                // with the part in hand: no other run is about to move its own into place
+                recover(&out.target)?;
+                check_replaceable(&out.target)?;
+                Ok(out)
+            }
             Err(e) => {
                 remove_empty(&parents);
                 Err(e)
@@ -228,7 +242,10 @@ impl ResultFolder {
         check_replaceable(&self.target)?;
         let marker = self.part.join(MARKER);
         fs::remove_file(&marker).map_err(io_error("remove", &marker))?;
-        let old = with_suffix(&self.target, ".old.part");
+        let digests = Digests::of(&self.part).map_err(io_error("read", &self.part))?;
+        let list = self.part.join(DIGESTS_FILE);
+        fs::write(&list, digests.text()).map_err(io_error("write", &list))?;
+        let old = with_suffix(&self.target, OLD);
         let replaces = self.target.exists();
         if replaces {
             if old.exists() {
@@ -247,7 +264,7 @@ impl ResultFolder {
         *finished = true;
         if replaces {
             // the new result is in place: failing to remove the old one must not undo that
-            let _ = fs::remove_dir_all(&old);
+            let _ = retire(&old, &self.target);
         }
         drop(finished);
         Ok(self.target.clone())
@@ -292,7 +309,41 @@ fn with_suffix(target: &Path, suffix: &str) -> PathBuf {
     target.with_file_name(name)
 }
 
-/// Checks that an existing target is a folder with a readable `result.json` of this program.
+/// Removes an earlier result that has been replaced. Files that it does not list are the user's:
+/// they move to the same place in the new folder, with `.kept` behind the name if that is taken.
+fn retire(old: &Path, target: &Path) -> io::Result<()> {
+    let digests = Digests::read(old)?.unwrap_or_default();
+    for name in files(old)?.into_iter().filter(|n| !digests.lists(n)) {
+        let mut to = target.join(&name);
+        while to.symlink_metadata().is_ok() {
+            to = with_suffix(&to, ".kept");
+        }
+        to.parent().map_or(Ok(()), fs::create_dir_all)?;
+        fs::rename(old.join(&name), to)?;
+    }
+    fs::remove_dir_all(old)
+}
+
+/// Completes what a program was doing when it was killed while it replaced an earlier result.
+fn recover(target: &Path) -> Result<(), FolderError> {
+    let old = with_suffix(target, OLD);
+    // an old folder without a list is not of this program
+    if !matches!(Digests::read(&old), Ok(Some(_))) {
+        return Ok(());
+    }
+    let done = match target.symlink_metadata() {
+        Ok(_) => retire(&old, target),
+        Err(_) => fs::rename(&old, target),
+    };
+    match done {
+        // another run has done it meanwhile
+        Err(e) if e.kind() != io::ErrorKind::NotFound => Err(io_error("put in order", &old)(e)),
+        _ => Ok(()),
+    }
+}
+
+/// Checks that an existing target is a folder with a readable `result.json` of this program, and
+/// with the list of its files.
 fn check_replaceable(target: &Path) -> Result<(), FolderError> {
     let not_ours = |why: String| FolderError::NotOurs { path: target.into(), why };
     match target.symlink_metadata() {
@@ -306,6 +357,15 @@ fn check_replaceable(target: &Path) -> Result<(), FolderError> {
         _ => not_ours(format!("its {RESULT_FILE} cannot be read: {e}")),
     })?;
     ResultFile::from_json(&text).map_err(|e: ResultError| not_ours(e.to_string()))?;
+    match Digests::read(target) {
+        Ok(Some(_)) => {}
+        Ok(None) => {
+            return Err(not_ours(format!(
+                "without {DIGESTS_FILE} its files cannot be told from yours"
+            )));
+        }
+        Err(e) => return Err(not_ours(format!("its {DIGESTS_FILE} cannot be read: {e}"))),
+    }
     if let (Ok(current), Ok(target_full)) = (std::env::current_dir(), target.canonicalize())
         && current.starts_with(&target_full)
     {

@@ -36,7 +36,7 @@ pub struct BoltForce {
     pub tension: f64,
     /// Shear \[N\].
     pub shear: f64,
-    /// Position of the bolt; absent in results of earlier versions.
+    /// Position of the bolt.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub place: Option<BoltPlace>,
 }

@@ -5,6 +5,7 @@ pub mod case_result;
 pub mod certificate;
 pub mod combine;
 pub mod demand;
+pub mod digests;
 pub mod energy_case;
 pub mod fields;
 pub mod file_names;

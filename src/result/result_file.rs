@@ -43,6 +43,10 @@ pub struct ResultFile {
     /// check.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub judgement: Option<Judgement>,
+    /// Load case of every requested analysis, in the order of the analyses; a case occurs several
+    /// times if there are several kinds of analysis.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub asked: Vec<String>,
     /// One entry for each load case and kind of analysis.
     pub cases: Vec<CaseResult>,
     /// Hand checks of the code.
@@ -148,6 +152,7 @@ impl ResultFile {
             symmetry,
             verdict,
             judgement: None,
+            asked: Vec::new(),
             cases,
             checks,
             polygon: None,

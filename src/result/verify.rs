@@ -19,7 +19,8 @@ use crate::result::result_file::FrictionModel;
 use crate::result::result_file::RESULT_FILE;
 use crate::result::result_file::ResultFile;
 use crate::spec::analysis::AnalysisKind;
-use case_files::{CaseFiles, read};
+use case_files::CaseFiles;
+pub use case_files::read;
 use derived::{Proved, case_differences, polygon_differences};
 use differences::derived_differences;
 pub use finding::Finding;
@@ -31,13 +32,6 @@ pub struct Verification {
     pub findings: Vec<Finding>,
     /// Sentences for the other claims that are refuted.
     pub refuted: Vec<String>,
-}
-
-impl Verification {
-    /// True if every claim is confirmed.
-    pub fn confirmed(&self) -> bool {
-        self.findings.iter().all(|f| f.confirmed) && self.refuted.is_empty()
-    }
 }
 
 /// Verifies the result in a folder.

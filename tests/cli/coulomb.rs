@@ -82,7 +82,7 @@ fn beside_yield_the_bracket_is_confirmed_from_the_files_too() {
     let (out, _) = expect(&bench, &["verify", "block"], 0);
     assert_eq!(out.matches("confirmed").count(), 2, "{out}");
     scale_shift(&bench, 0.9);
-    let (out, _) = expect(&bench, &["verify", "block"], 1);
+    let (out, _) = expect(bench.sealed("block"), &["verify", "block"], 1);
     assert!(out.contains("REFUTED"), "{out}");
 }
 
@@ -93,7 +93,7 @@ fn another_shift_is_refuted() {
     for factor in [1.1, 0.9, 0.0] {
         let bench = solved();
         scale_shift(&bench, factor);
-        let (out, _) = expect(&bench, &["verify", "block"], 1);
+        let (out, _) = expect(bench.sealed("block"), &["verify", "block"], 1);
         assert!(out.contains("REFUTED"), "{factor}: {out}");
         // without a shift its distance from the slips has no scale
         assert_eq!(out.contains("off the slips of Coulomb's law"), factor > 0.0, "{factor}: {out}");

@@ -128,6 +128,9 @@ fn a_bar_collapses_where_it_must() {
         for words in ["load factor at collapse lies between 2.3499", "≥ 2.34", "≤ 2.3"] {
             assert!(text.contains(words), "lacks {words}\n{text}");
         }
+        let german = ["report", "bar", "--full", "--language", "de", "--format", "json"];
+        let told: Value = serde_json::from_slice(&bench.run(&german).stdout).expect("JSON");
+        assert_eq!(told["untranslated"], json!([]));
     }
     assert!(bench.path().join("bar/mechanism_bar.png").is_file());
     assert!(bench.path().join("bar/limiting_bar.png").is_file());
@@ -237,7 +240,7 @@ fn a_load_without_limit_is_proved_by_a_pressure() {
     assert!(found.contains("no limit") && found.matches("confirmed").count() == 1, "{found}");
     // a field that is not a pure pressure proves nothing
     edit_field(&bench, "bar_static_live.vtu", "stress_mandel", 1.01);
-    let (found, _) = expect(&bench, &["verify", "bar"], 1);
+    let (found, _) = expect(bench.sealed("bar"), &["verify", "bar"], 1);
     assert!(found.contains("REFUTED"), "{found}");
     // a claim without a field proves nothing
     std::fs::remove_file(bench.path().join("bar/fields/bar_static_live.vtu")).expect("removed");
@@ -277,7 +280,7 @@ fn what_moves_without_load_carries_nothing() {
             .expect("the value stands in the file");
         bytes[at..at + 8].copy_from_slice(&(-moved).to_le_bytes());
         std::fs::write(&path, bytes).expect("written");
-        expect(&bench, &["verify", "stack"], 1);
+        expect(bench.sealed("stack"), &["verify", "stack"], 1);
     }
 }
 

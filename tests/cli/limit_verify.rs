@@ -12,7 +12,7 @@ fn after(tamper: impl Fn(&Bench)) -> (Option<i32>, String) {
     let bench = bar(BAR);
     expect(&bench, &["analyse", "bar.yaml", "-q"], 0);
     tamper(&bench);
-    let run = bench.run(&["verify", "bar"]);
+    let run = bench.sealed("bar").run(&["verify", "bar"]);
     (
         run.status.code(),
         String::from_utf8_lossy(&run.stdout).into_owned() + &String::from_utf8_lossy(&run.stderr),
@@ -65,7 +65,7 @@ fn slip_on_a_support() {
     expect(&bench, &["verify", "bar"], 0);
     edit_result(&bench, |c| c["support_slip"][0]["share"] = (0.9 * share).into());
     let (code, text) = {
-        let run = bench.run(&["verify", "bar"]);
+        let run = bench.sealed("bar").run(&["verify", "bar"]);
         (run.status.code(), String::from_utf8_lossy(&run.stdout).into_owned())
     };
     assert_eq!(code, Some(1), "{text}");

@@ -179,7 +179,7 @@ fn after(tamper: impl Fn(&Bench)) -> (Option<i32>, String) {
     let bench = cube(CUBE);
     expect(&bench, &["analyse", "cube.yaml", "-q"], 0);
     tamper(&bench);
-    let run = bench.run(&["verify", "cube"]);
+    let run = bench.sealed("cube").run(&["verify", "cube"]);
     let text =
         String::from_utf8_lossy(&run.stdout).into_owned() + &String::from_utf8_lossy(&run.stderr);
     assert!(!text.contains("panicked"), "{text}");

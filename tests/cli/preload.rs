@@ -98,7 +98,7 @@ fn another_closure_or_another_preload_is_refuted() {
         let stored = &mut result["cases"][0]["preload"][0][key];
         *stored = (factor * stored.as_f64().expect("a number")).into();
         let bench = bench.file("sleeve/result.json", result.to_string());
-        let (out, _) = expect(&bench, &["verify", "sleeve"], 1);
+        let (out, _) = expect(bench.sealed("sleeve"), &["verify", "sleeve"], 1);
         assert!(out.contains(words), "{key}: {out}");
     }
 }

@@ -71,7 +71,7 @@ fn a_weld_on_a_rigid_body_gives_way() {
     let model = bench.read("bars/model.yaml");
     std::fs::write(bench.path().join("bars/model.yaml"), model.replace("200", "190"))
         .expect("written");
-    let (out, _) = expect(&bench, &["verify", "bars"], 1);
+    let (out, _) = expect(bench.sealed("bars"), &["verify", "bars"], 1);
     assert!(out.matches("REFUTED").count() >= 2, "{out}");
 }
 

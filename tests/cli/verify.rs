@@ -4,14 +4,14 @@
 use crate::bench::Bench;
 use crate::{MODEL, bench, expect, mesh};
 use bracket::result::fields::vtu::VtuGrid;
-use serde_json::Value;
+use serde_json::{Value, json};
 
 /// Changes a finished result by `tamper`. Returns the exit code and the output of `verify`.
 fn after(tamper: impl Fn(&Bench)) -> (Option<i32>, String) {
     let bench = bench(MODEL);
     expect(&bench, &["analyse", "block.yaml", "-q"], 0);
     tamper(&bench);
-    let run = bench.run(&["verify", "block"]);
+    let run = bench.sealed("block").run(&["verify", "block"]);
     let text =
         String::from_utf8_lossy(&run.stdout).into_owned() + &String::from_utf8_lossy(&run.stderr);
     assert!(!text.contains("panicked"), "{text}");
@@ -82,8 +82,7 @@ fn a_changed_load_is_refuted() {
     };
     refuted(&|r| r["cases"][0]["load"]["force"] = (1.001 * force(r)).into(), 1);
     refuted(&|r| r["cases"][0]["load"] = serde_json::json!({"moment": force(r)}), 1);
-    // results of an earlier version do not state their load
-    refuted(&|r| drop(r["cases"][0].as_object_mut().and_then(|c| c.remove("load"))), 0);
+    refuted(&|r| drop(r["cases"][0].as_object_mut().and_then(|c| c.remove("load"))), 1);
 }
 
 #[test]
@@ -197,14 +196,92 @@ fn stiffness_and_bolt_forces_are_found_again_and_every_change_is_refuted() {
         // a shear that is almost zero beside the tension must be confirmed too
         *value = (value.as_f64().expect("a number") * 1.001 + 1e-3).into();
         write(&changed);
-        let (out, _) = expect(&bench, &["verify", "joint"], 1);
+        let (out, _) = expect(bench.sealed("joint"), &["verify", "joint"], 1);
         assert!(out.contains("REFUTED: ULS1") && out.contains(words), "{pointer}: {out}");
     }
-    // results of an earlier version do not state the positions of the bolts
-    let mut older = result.clone();
-    for bolt in older["cases"][0]["static_forces"]["bolts"].as_array_mut().expect("bolts") {
+    // without the positions of the bolts their forces cannot be recomputed
+    let mut placeless = result.clone();
+    for bolt in placeless["cases"][0]["static_forces"]["bolts"].as_array_mut().expect("bolts") {
         bolt.as_object_mut().expect("a bolt").remove("place").expect("its place");
     }
-    write(&older);
+    write(&placeless);
+    let (out, _) = expect(bench.sealed("joint"), &["verify", "joint"], 1);
+    assert!(out.contains("a bolt has no place"), "{out}");
+    forgeries_of_what_the_spec_gives(&bench, &result);
+}
+
+/// Verdict, demand, checks and model are computed again from the spec; whoever changes one of them
+/// and writes the digests again is refuted too.
+fn forgeries_of_what_the_spec_gives(bench: &Bench, result: &Value) {
+    let case = "/cases/0";
+    for (pointer, value, words) in [
+        ("/verdict", json!("none"), "verdict is \"none\""),
+        ("/judgement/reason", json!("all is well"), "judgement.reason"),
+        ("/judgement/governing", Value::Null, "judgement.governing"),
+        (&format!("{case}/demand/verdict"), json!("not_ok"), "ULS1: demand.verdict"),
+        (&format!("{case}/demand/by_code"), json!("none"), "ULS1: demand.by_code"),
+        (&format!("{case}/demand/actions/0/value"), json!({"moment": 1.0e6}), "demand.actions[0]"),
+        (&format!("{case}/demand/component_method"), json!([]), "demand.component_method"),
+        ("/checks/0/utilisation", json!(0.1), "checks[0].utilisation"),
+        ("/checks/3/status", json!("information"), "checks[3].status"),
+        ("/checks", json!([]), "checks is"),
+        ("/cases", json!([]), "verdict is"),
+        ("/asked", json!([]), "asked"),
+    ] {
+        let mut forged = result.clone();
+        let place = forged.pointer_mut(pointer).unwrap_or_else(|| panic!("no {pointer}"));
+        assert_ne!(*place, value, "{pointer}");
+        *place = value;
+        if pointer == "/judgement/governing" {
+            forged["judgement"].as_object_mut().expect("keys").remove("governing");
+        }
+        let path = bench.path().join("joint/result.json");
+        std::fs::write(path, format!("{forged:#}")).expect("written");
+        let (out, _) = expect(bench.sealed("joint"), &["verify", "joint"], 1);
+        assert!(out.contains("REFUTED: ") && out.contains(words), "{pointer}: {out}");
+    }
+    std::fs::write(bench.path().join("joint/result.json"), format!("{result:#}")).expect("written");
+    expect(bench.sealed("joint"), &["verify", "joint"], 0);
+    // a smaller load in the model alone: the bounds would be those of another joint
+    let model = bench.read("joint/model.yaml");
+    let forged = model.replacen("5000000", "2500000", 1);
+    assert_ne!(model, forged, "{model}");
+    std::fs::write(bench.path().join("joint/model.yaml"), forged).expect("written");
+    let (out, _) = expect(bench.sealed("joint"), &["verify", "joint"], 1);
+    assert!(out.contains("model.yaml"), "{out}");
+}
+
+/// Every file that the run wrote is bound by its digest.
+#[test]
+fn every_changed_file_is_refuted_by_its_digest() {
+    let bench = Bench::new().file("joint.yaml", SPLICE);
+    expect(&bench, &["check", "joint.yaml", "--out", "joint", "-q"], 0);
+    let (out, _) = expect(&bench, &["verify", "joint"], 0);
+    for words in ["claims no bound", "recomputed: the models, `checks`", "recorded, not recomp"] {
+        assert!(out.contains(words), "{words}: {out}");
+    }
+    // the printed report may be written again
+    expect(&bench, &["report", "joint", "--full"], 0);
     expect(&bench, &["verify", "joint"], 0);
+    // a file of the user is none of the result's
+    std::fs::write(bench.path().join("joint/notes.txt"), "mine").expect("written");
+    expect(&bench, &["verify", "joint"], 0);
+    let names: Vec<_> = bench.everything().into_iter().filter(|f| !f.1.is_empty()).collect();
+    for (name, bytes) in names {
+        let name = name.to_string_lossy().into_owned();
+        if name == "joint.yaml" || name.ends_with("notes.txt") || name.ends_with("digests.b3") {
+            continue;
+        }
+        let mut forged = bytes.clone();
+        // a blank changes no meaning, and is a change
+        forged.push(b' ');
+        std::fs::write(bench.path().join(&name), &forged).expect("written");
+        let (out, _) = expect(&bench, &["verify", "joint"], 1);
+        assert!(out.contains("its digest differs"), "{name}: {out}");
+        std::fs::write(bench.path().join(&name), bytes).expect("written");
+    }
+    expect(&bench, &["verify", "joint"], 0);
+    std::fs::remove_file(bench.path().join("joint/digests.b3")).expect("removed");
+    let (out, _) = expect(&bench, &["verify", "joint"], 1);
+    assert!(out.contains("digests.b3 is missing"), "{out}");
 }

@@ -39,11 +39,68 @@ fn a_result_appears_whole_and_replaces_only_a_result() {
     let dir = tempfile::tempdir().expect("temporary folder");
     let target = dir.path().join("joint");
     write_whole(&target, "first");
-    assert_eq!(names(&target), ["fields", "report.md", "result.json"]);
-    fs::write(target.join("stray.txt"), "from the first run").expect("writes");
+    assert_eq!(names(&target), OURS);
     write_whole(&target, "second");
-    assert_eq!(names(&target), ["fields", "report.md", "result.json"]);
+    assert_eq!(names(&target), OURS);
     assert_eq!(fs::read_to_string(target.join("report.md")).expect("reads"), "second");
+    assert_eq!(names(dir.path()), ["joint"]);
+}
+
+/// The files that `write_whole` leaves.
+const OURS: [&str; 4] = ["digests.b3", "fields", "report.md", "result.json"];
+
+#[test]
+fn files_of_the_user_stay_in_a_folder_that_is_replaced() {
+    let dir = tempfile::tempdir().expect("temporary folder");
+    let target = dir.path().join("joint");
+    write_whole(&target, "first");
+    let mine = ["notes.txt", "fields/view.pvsm", "mine/deep/sketch.txt", "plot.svg"];
+    for name in mine {
+        let path = target.join(name);
+        fs::create_dir_all(path.parent().expect("a folder")).expect("made");
+        fs::write(path, name).expect("writes");
+    }
+    std::os::unix::fs::symlink("/nowhere", target.join("link")).expect("linked");
+    let folder = ResultFolder::begin(&target).expect("begins");
+    folder.write("plot.svg", b"of the program").expect("writes");
+    folder.write(RESULT_FILE, result().as_bytes()).expect("writes");
+    folder.finish().expect("finishes");
+    for name in &mine[..3] {
+        assert_eq!(fs::read_to_string(target.join(name)).expect(name), *name);
+    }
+    assert!(target.join("link").is_symlink() && !target.join("report.md").exists());
+    let read = |name: &str| fs::read_to_string(target.join(name)).expect("reads");
+    assert_eq!(
+        (read("plot.svg").as_str(), read("plot.svg.kept").as_str()),
+        ("of the program", "plot.svg")
+    );
+    assert_eq!(names(dir.path()), ["joint"]);
+    // a folder without the list is refused before anything starts
+    fs::remove_file(target.join("digests.b3")).expect("removed");
+    let e = fault(ResultFolder::begin(&target).expect_err("no list"));
+    assert!(e.message.contains("cannot be told from yours"), "{e}");
+    assert_eq!(names(dir.path()), ["joint"]);
+}
+
+/// A program can be killed after each of the steps in which it replaces a result.
+#[test]
+fn the_next_run_puts_in_order_what_a_killed_one_left() {
+    let dir = tempfile::tempdir().expect("temporary folder");
+    let (target, old) = (dir.path().join("joint"), dir.path().join("joint.old.part"));
+    write_whole(&target, "first");
+    fs::write(target.join("notes.txt"), "mine").expect("writes");
+    // the old result was moved away, and the new one was not in place
+    fs::rename(&target, &old).expect("moved");
+    drop(ResultFolder::begin(&target).expect("begins"));
+    assert_eq!(fs::read_to_string(target.join("report.md")).expect("reads"), "first");
+    // the new one was in place, and the old one still there
+    fs::rename(&target, &old).expect("moved");
+    let elsewhere = dir.path().join("other");
+    write_whole(&elsewhere, "second");
+    fs::rename(&elsewhere, &target).expect("moved");
+    drop(ResultFolder::begin(&target).expect("begins"));
+    assert_eq!(fs::read_to_string(target.join("report.md")).expect("reads"), "second");
+    assert_eq!(fs::read_to_string(target.join("notes.txt")).expect("reads"), "mine");
     assert_eq!(names(dir.path()), ["joint"]);
 }
 

@@ -194,8 +194,10 @@ fn force_differences(claimed: &CaseResult, proved: &Proved) -> Vec<String> {
             position: place.position,
         })
     };
-    // results of earlier versions lack the positions of the bolts
-    let Some(lines) = given.bolts.iter().map(line).collect::<Option<Vec<_>>>() else { return out };
+    let Some(lines) = given.bolts.iter().map(line).collect::<Option<Vec<_>>>() else {
+        out.push("static_forces: a bolt has no place".into());
+        return out;
+    };
     let mirror: Vec<usize> =
         (0..3).filter(|k| model.supports.iter().any(|s| s.name == symmetry_face(*k))).collect();
     let found = static_forces(model, stress, *factor, &lines, &mirror);
