@@ -22,12 +22,20 @@ pub struct Analysed {
     pub utilisation: Option<[f64; 2]>,
     /// Whether bounds that would decide do not, because no rule of rotation capacity holds.
     pub brittle: bool,
+    /// Whether no rule of rotation capacity holds, so that no lower bound can give OK.
+    pub no_rule: bool,
 }
 
 impl Analysed {
     /// A case that no analysis brackets.
     pub fn not(case: impl Into<String>) -> Self {
-        Self { case: case.into(), verdict: Verdict::None, utilisation: None, brittle: false }
+        Self {
+            case: case.into(),
+            verdict: Verdict::None,
+            utilisation: None,
+            brittle: false,
+            no_rule: false,
+        }
     }
 }
 
@@ -208,6 +216,11 @@ fn reason(
         (Verdict::Undecided, _, Verdict::Undecided) if a.brittle => format!(
             "{case}: the lower bound carries the load, but no rule of rotation capacity holds; \
              the checks of the code are {}",
+            by_code.words()
+        ),
+        (Verdict::Undecided, _, Verdict::Undecided) if a.no_rule => format!(
+            "{case}: the bounds do not decide, and no rule of rotation capacity holds, so that no \
+             mesh gives OK; the checks of the code are {}",
             by_code.words()
         ),
         (Verdict::Undecided, _, Verdict::Undecided) => {

@@ -114,7 +114,7 @@ fn mechanism(
     let tets = model.mesh.tets.len();
     let caption = format!(
         "Case {name}: mechanism of the upper bound, {words}. Mesh of {tets} tetrahedra, deformed \
-         without scale{cut}; the grey lines are the edges at rest"
+         not to scale{cut}; the grey lines are the edges at rest"
     );
     Some(Ok((pictures, caption)))
 }

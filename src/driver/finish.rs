@@ -208,6 +208,7 @@ pub fn judge_result(result: &mut ResultFile, checks: &mut HandChecks, demands: &
             verdict,
             utilisation: limit.and_then(|c| c.utilisation),
             brittle,
+            no_rule: limit.is_some_and(no_rule),
         }
     };
     let analysed: Vec<Analysed> = demanded(demands, &result.asked).iter().map(of_case).collect();

@@ -17,6 +17,7 @@ use crate::mesh::joint::JointMesh;
 use crate::mesh::msh_write;
 use crate::refine::plan;
 use crate::report::console::log::Log;
+use crate::report::markdown::report_data::ResolvedValue;
 use crate::result::folder::ResultFolder;
 use crate::result::result_file::input_hash;
 use crate::spec::analysis::AnalysisKind;
@@ -90,6 +91,7 @@ pub fn run_spec(run: &SpecRun, mut limits: Limits) -> Result<Finished, Diagnosti
     limits.interrupt.check("meshing")?;
     let mut context = spec_context(&run.spec, &input, checks)?;
     context.project.push(("mesher".into(), format!("gmsh {}", meshed.mesher)));
+    context.resolved.extend(run.overrides());
     let models =
         cases.iter().map(|c| yaml::to_string(&c.model_file.1)).collect::<Result<Vec<_>, _>>()?;
     context.input_hash = spec_hash(&input, &meshed, &models, &context);
@@ -102,6 +104,24 @@ pub fn run_spec(run: &SpecRun, mut limits: Limits) -> Result<Finished, Diagnosti
     });
     context.polygon = polygon.cloned();
     run_cases(cases, context, &limits, folder, &log)
+}
+
+impl SpecRun {
+    /// What the command line sets in place of the spec.
+    fn overrides(&self) -> Vec<ResolvedValue> {
+        let factor = Some(self.extent.size_factor).filter(|f| *f != 1.0);
+        [
+            ("analysis.kind", self.kind.map(|k| k.word().to_string())),
+            ("analysis.max_passes", self.max_passes.map(|n| n.to_string())),
+            ("mesh size factor", factor.map(|f| f.to_string())),
+        ]
+        .into_iter()
+        .filter_map(|(name, value)| {
+            let (name, origin) = (name.into(), "command line".into());
+            Some(ResolvedValue { name, value: value?, unit: String::new(), origin })
+        })
+        .collect()
+    }
 }
 
 /// Writes the data that pass between the stages: the assembly and the mesher's script.

@@ -8,6 +8,9 @@ use crate::result::result_file::Quantity;
 use crate::result::result_file::{CaseResult, ResultFile};
 use serde::Serialize;
 
+/// Clause of the row of a bracket.
+pub const LIMIT_ANALYSIS: &str = "limit analysis";
+
 /// Colour of a word of judgement.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
@@ -114,7 +117,7 @@ fn bracket_row(case: &CaseResult) -> Option<SummaryRow> {
         demand: "1".into(),
         resistance: bounds,
         utilisation: used.unwrap_or_else(|| "–".into()),
-        clause: "limit analysis".into(),
+        clause: LIMIT_ANALYSIS.into(),
         status: demand.by_analysis.words().into(),
         tone: demand.by_analysis.into(),
         governs: false,

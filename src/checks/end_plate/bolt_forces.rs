@@ -118,7 +118,7 @@ impl<'a> BoltForces<'a> {
             each.collect::<Vec<_>>().join(" + "),
             Unit::Force.show(self.shear_resistance)
         );
-        let title = "shear of all bolts, with what their tension leaves";
+        let title = "shear of the bolt group, reduced for tension";
         let value = self.shear_shares() * self.shear_resistance;
         let mut worked =
             Worked::new("EN 1993-1-8:2005 6.2.2(2), Table 3.4", title, value, Unit::Force, formula);

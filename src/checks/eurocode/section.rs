@@ -277,6 +277,6 @@ impl CrossSection {
         let title = "moment of the beam with its shear and axial force";
         Ok(Worked::new(clause, title, value, Unit::Moment, formula)
             .with("ρ", rho, Unit::Number)
-            .with("what N leaves", part, Unit::Number))
+            .with("reduction for N", part, Unit::Number))
     }
 }

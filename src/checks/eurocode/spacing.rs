@@ -63,8 +63,8 @@ pub fn pattern_checks(subject: &str, p: &Pattern) -> Vec<Check> {
         out.push(most("pitch of the rows, exposed or compressed steel", "p1", pitch, largest));
     }
     if let Some(p2) = p.p2 {
-        out.push(least("distance of the columns", "p2", 2.4, p2));
-        out.push(most("distance of the columns, exposed or compressed steel", "p2", pitch, p2));
+        out.push(least("gauge of the bolt columns", "p2", 2.4, p2));
+        out.push(most("gauge of the bolt columns, exposed or compressed steel", "p2", pitch, p2));
     }
     out
 }
@@ -76,7 +76,7 @@ pub fn pattern_checks(subject: &str, p: &Pattern) -> Vec<Check> {
 pub fn wrench_check(subject: &str, distance: f64, d: f64) -> Check {
     let what = (Topic::Detailing, subject);
     let rule = (2.0 * d + 5.0, format!("2 d + 5 mm = 2 · {} + 5", n(d)));
-    Check::at_least(what, (PRACTICE, "room for a wrench"), "c", rule, distance, Status::Warning)
+    Check::at_least(what, (PRACTICE, "spanner clearance"), "c", rule, distance, Status::Warning)
 }
 
 /// Whether a washer of outer diameter `washer` bears on a plane surface: the distance of the bolt

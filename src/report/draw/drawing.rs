@@ -294,9 +294,10 @@ fn loads(e: &EndPlate) -> Drawing {
     let plane =
         if e.column.is_some() { "bolt planes = column faces" } else { "bolt plane (dashed)" };
     d.text([x, y - 112.0], Anchor::Middle, plane);
-    let lines = ["Positive as drawn: N pulls, Vz lifts, My pulls the top; y′ = z′ × x′. Values \
-                  at the bolt plane, load factor 1:"
-        .into()];
+    let lines =
+        ["Positive as drawn: N pulls, Vz lifts, My gives tension at the top; y′ = z′ × x′. \
+                  Values at the bolt plane, load factor 1:"
+            .into()];
     let values = e.actions.iter().map(value);
     for (i, text) in lines.into_iter().chain(values).enumerate() {
         d.text([MARGIN, y + 140.0 + LINE * i as f64], Anchor::Start, &text);

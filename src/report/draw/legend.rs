@@ -79,7 +79,7 @@ pub(super) fn strip(canvas: &mut Canvas, view: &View, groups: &Groups, options: 
         let text = if deformed.to_scale {
             format!("displacements × {}", four_digits_plain(deformed.factor))
         } else {
-            "velocities, to no scale".into()
+            "velocities, not to scale".into()
         };
         canvas.text(&text, x, base, LETTER, INK);
         x += text_width(&text, LETTER) + 36.0;

@@ -13,6 +13,11 @@ pub(crate) fn assumptions(data: &ReportData) -> Vec<String> {
         "Small displacements: equilibrium refers to the undeformed shape. Buckling and \
          second-order effects are not covered."
             .to_string(),
+        "Loads are static. Fatigue, fire, impact and ductility in an earthquake are not checked, \
+         nor are the members away from the joint, its erection and its execution (EN 1090-2)."
+            .to_string(),
+    ];
+    let bounds = [
         "The bounds hold for the mechanical model: bodies, materials, supports and loads as \
          listed above. They say nothing about how well the model represents the building."
             .to_string(),
@@ -20,6 +25,17 @@ pub(crate) fn assumptions(data: &ReportData) -> Vec<String> {
          displacements of a point) carry no guarantee."
             .to_string(),
     ];
+    if !kinds.is_empty() {
+        out.extend(bounds);
+    }
+    let butt = |row: &Vec<String>| row.iter().any(|cell| cell.contains("full penetration"));
+    if data.welds.rows.iter().any(butt) {
+        out.push(
+            "A weld without a throat in the spec counts as a full-penetration butt weld, as strong \
+             as the thinner part."
+                .into(),
+        );
+    }
     if kinds.contains(&AnalysisKind::Elastic) {
         out.push("Elastic analysis: no part yields, whatever its stress.".into());
     }

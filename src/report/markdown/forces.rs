@@ -3,6 +3,7 @@
 use crate::report::figures::{Rounding, significant};
 use crate::report::markdown::markup::{inline, paragraph, strings, table};
 use crate::report::markdown::report_data::Table;
+use crate::result::forces::BoltForce;
 use crate::result::result_file::CaseResult;
 use crate::spec::analysis::AnalysisKind;
 
@@ -24,8 +25,13 @@ pub(crate) fn tables(page: &mut String, case: &CaseResult, symmetry: u32) {
             significant(s.load_factor, 4, Rounding::Down)
         )),
     );
-    let rows = s.bolts.iter().map(|b| vec![inline(&b.bolt), kn(b.tension), kn(b.shear)]).collect();
-    table(page, &Table { columns: strings(["bolt", "tension [kN]", "shear [kN]"]), rows });
+    let at = |b: &BoltForce, axis: usize| {
+        b.place.as_ref().map_or_else(String::new, |p| format!("{:.1}", p.position[axis]))
+    };
+    let row = |b: &BoltForce| vec![inline(&b.bolt), at(b, 1), at(b, 2), kn(b.tension), kn(b.shear)];
+    let rows = s.bolts.iter().map(row).collect();
+    let columns = strings(["bolt", "y [mm]", "z [mm]", "tension [kN]", "shear [kN]"]);
+    table(page, &Table { columns, rows });
     if s.contacts.is_empty() {
         return;
     }

@@ -5,6 +5,7 @@ use crate::checks::Judgement;
 use crate::checks::verdict::Verdict;
 use crate::report::markdown::markup::{inline, paragraph, strings, table};
 use crate::report::markdown::report_data::Table;
+use crate::report::summary::{LIMIT_ANALYSIS, SummaryRow, summary_rows};
 use crate::result::result_file::ResultFile;
 
 /// The verdict and its basis.
@@ -23,24 +24,65 @@ pub(crate) fn verdict(page: &mut String, result: &ResultFile) {
     };
     paragraph(page, &format!("Verdict: **{}**. {}.", j.verdict.words(), inline(&j.reason)));
     let columns = strings(["verdict", "", "stands on"]);
-    table(page, &Table { columns, rows: rows(j) });
+    table(page, &Table { columns, rows: rows(j, result) });
+    if let Some(step) = next_step(result) {
+        paragraph(page, &format!("Next step: {step}."));
+    }
 }
 
-fn rows(j: &Judgement) -> Vec<Vec<String>> {
-    let row = |(name, verdict, on): (&str, Verdict, &str)| {
-        vec![name.to_owned(), verdict.words().into(), on.to_owned()]
+fn rows(j: &Judgement, result: &ResultFile) -> Vec<Vec<String>> {
+    let row = |(name, verdict, on): (&str, Verdict, String)| {
+        vec![name.to_owned(), verdict.words().into(), inline(&on)]
     };
-    let all = ("**joint**", j.verdict, "the worse of the two");
-    parts(j).into_iter().chain([all]).map(row).collect()
+    let all = ("**joint**", j.verdict, "the worse of the two".into());
+    parts(j, result).into_iter().chain([all]).map(row).collect()
 }
 
 /// The verdicts by code and by analysis: name, verdict, and what it stands on.
-pub(crate) fn parts(j: &Judgement) -> [(&'static str, Verdict, &'static str); 2] {
-    let code = "binding checks of EN 1993; strength by the component method where no limit \
-                analysis decides";
-    let analysis = match j.by_analysis {
+pub(crate) fn parts(j: &Judgement, result: &ResultFile) -> [(&'static str, Verdict, String); 2] {
+    let mut code = "binding checks of EN 1993; strength by the component method where no limit \
+                    analysis decides"
+        .to_string();
+    let binds = |r: &&SummaryRow| r.clause != LIMIT_ANALYSIS && r.governs_by.is_some();
+    let by = |r: &SummaryRow| r.governs_by.unwrap_or(0.0);
+    let rows = summary_rows(result);
+    let worst = rows.iter().filter(binds).reduce(|a, b| if by(b) > by(a) { b } else { a });
+    if let Some(r) = worst.filter(|r| by(r).is_finite()) {
+        code += &format!("; largest utilisation {}, {}", r.utilisation, r.check);
+    }
+    let mut analysis = match j.by_analysis {
         Verdict::None => "no analysis of the resistance was run",
         _ => "strict bounds of limit analysis, the lower one without friction",
-    };
+    }
+    .to_string();
+    let bracket = rows.iter().filter(|r| r.clause == LIMIT_ANALYSIS && r.governs_by.is_some());
+    if let Some(r) = bracket.reduce(|a, b| if by(b) > by(a) { b } else { a }) {
+        analysis += &format!("; utilisation {}", r.utilisation);
+    }
     [("by code", j.by_code, code), ("by analysis", j.by_analysis, analysis)]
+}
+
+/// What brings the user further; `None` where nothing is left to do.
+pub(crate) fn next_step(result: &ResultFile) -> Option<&'static str> {
+    let j = result.judgement.as_ref()?;
+    let no_rule = || {
+        let mut demands = result.cases.iter().filter_map(|c| c.demand.as_ref());
+        demands.any(|d| d.by_analysis == Verdict::Undecided && d.brittle.is_some())
+    };
+    Some(match (j.verdict, j.by_code, j.by_analysis) {
+        (Verdict::NotOk, ..) => "strengthen what governs, or reduce its load",
+        (Verdict::Undecided, Verdict::Undecided, _) => {
+            "see the undecided check: it says what its clause does not cover"
+        }
+        (Verdict::Undecided, _, Verdict::Undecided) if no_rule() => {
+            "make the plate thinner or the bolts stronger until a rule of rotation capacity \
+             holds, or leave out limit analysis: `kind: elastic`, and the component method decides"
+        }
+        (Verdict::Undecided, _, Verdict::Undecided) => {
+            "narrow the bounds: more meshes or time (`max_passes`, `time_limit`), or a finer mesh \
+             (`--size-factor` below 1)"
+        }
+        (Verdict::Undecided, ..) => "run a limit analysis (`kind: limit`)",
+        _ => return None,
+    })
 }

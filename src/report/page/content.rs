@@ -123,6 +123,9 @@ impl<'a> Content<'a> {
             }
             self.body.push_str("</ul>\n");
         }
+        if !verdict.next.is_empty() {
+            let _ = writeln!(self.body, "<p>{}</p>", pieces(&verdict.next));
+        }
         self.body.push_str("</section>\n");
     }
 

@@ -18,7 +18,7 @@ use crate::report::markdown::collapse::mechanism;
 use crate::report::markdown::demand::actions;
 use crate::report::markdown::hand_checks::{TOPICS, place, status, value_of};
 use crate::report::markdown::report_data::{PictureRef, ReportData, ResolvedValue, Table};
-use crate::report::markdown::verdict::parts;
+use crate::report::markdown::verdict::{next_step, parts};
 use crate::report::markdown::warnings::all_warnings;
 use crate::report::markdown::words::analysis_word;
 use crate::report::markdown::yielding::yielding;
@@ -33,7 +33,12 @@ use crate::result::result_file::{CaseResult, Quantity, ResultFile, Upper};
 pub fn sheet(data: &ReportData, words: &Words, extent: Extent, paper: Paper) -> Sheet {
     let full = extent == Extent::Full;
     let title = data.project.first().map_or_else(|| data.input_name.clone(), |l| l.1.clone());
-    let project = data.project.iter().skip(1).cloned().collect();
+    // an office files reports by these lines: what the spec does not give is filled in by hand
+    let filed = ["number", "revision", "author", "checker", "date"];
+    let given = |name: &str| data.project.iter().find(|line| line.0 == name).cloned();
+    let block = filed.map(|name| given(name).unwrap_or_else(|| (name.into(), Head::OPEN.into())));
+    let others = data.project.iter().skip(1).filter(|l| !filed.contains(&l.0.as_str())).cloned();
+    let project = block.into_iter().chain(others).collect();
     let hash = data.result.input_hash.clone();
     let rows = summary_rows(&data.result);
     let sentences = |all: Vec<String>| all.iter().map(|s| sentence(&words.say(s))).collect();
@@ -89,16 +94,19 @@ fn verdict(result: &ResultFile, words: &Words) -> VerdictBox {
             Verdict::NotOk => "A check that needs no load fails.",
             _ => "No load is a demand on the joint: only actions at member ends are.",
         };
-        return VerdictBox { word, tone, reason: pieces(&words.say(reason)), parts: Vec::new() };
+        let reason = pieces(&words.say(reason));
+        return VerdictBox { word, tone, reason, parts: Vec::new(), next: Vec::new() };
     };
-    let part = |(name, v, on): (&str, Verdict, &str)| {
-        (words.say(name), words.say(v.words()), Tone::from(v), words.say(on))
+    let part = |(name, v, on): (&str, Verdict, String)| {
+        (words.say(name), words.say(v.words()), Tone::from(v), words.say(&on))
     };
+    let next = |step: &str| pieces(&words.say(&format!("Next step: {step}.")));
     VerdictBox {
         word,
         tone,
         reason: pieces(&words.say(&format!("{}.", j.reason))),
-        parts: parts(j).into_iter().map(part).collect(),
+        parts: parts(j, result).into_iter().map(part).collect(),
+        next: next_step(result).map(next).unwrap_or_default(),
     }
 }
 
@@ -177,12 +185,24 @@ fn worked(c: &Check, words: &Words) -> WorkedRow {
         of: words.say(&place(c)),
         check: pieces(&words.say(&c.title)),
         formula: formula(&words.say(&c.formula)),
-        values: c.values.iter().map(|s| pieces(&words.say(&value_of(s)))).collect(),
+        values: ratio(c)
+            .into_iter()
+            .chain(c.values.iter().map(|s| words.say(&value_of(s))))
+            .map(|s| pieces(&s))
+            .collect(),
         clause: words.say(&c.clause),
         utilisation: used.unwrap_or_else(|| "–".into()),
         status: words.say(status(c.status)),
         tone,
     }
+}
+
+/// Demand over resistance with their numbers, where the formula does not end with it.
+fn ratio(c: &Check) -> Option<String> {
+    let [demand, resistance] = [c.demand?, c.resistance?].map(|v| c.unit.show(v));
+    let used = number(c.utilisation.filter(|_| c.case.is_some())?);
+    let said = c.formula.contains(&demand) && c.formula.contains(&resistance);
+    (!said).then(|| format!("E_d / R_d = {demand} / {resistance} = {used}"))
 }
 
 fn sections(data: &ReportData, words: &Words) -> Vec<Section> {

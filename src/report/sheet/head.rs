@@ -40,6 +40,9 @@ pub struct Head {
 }
 
 impl Head {
+    /// Value of a line of the title block that is filled in by hand.
+    pub const OPEN: &str = "–";
+
     /// The head of a report; `project` are the lines of the title block behind the title.
     pub fn new(
         paper: Paper,
@@ -49,7 +52,9 @@ impl Head {
         tool: &Tool,
         hash: String,
     ) -> Self {
-        let value = |name: &str| project.iter().find(|(n, _)| n == name).map(|(_, v)| v.as_str());
+        let value = |name: &str| {
+            project.iter().find(|(n, v)| n == name && v != Self::OPEN).map(|(_, v)| v.as_str())
+        };
         let revision = value("revision").map(|r| format!("{} {r}", words.say("revision")));
         let running = [value("number").map(String::from), revision];
         Self {
@@ -61,9 +66,14 @@ impl Head {
             software: format!("{} {}", tool.name, tool.version),
             hash,
             language: words.code(),
-            project: project.into_iter().map(|(n, v)| (words.say(&n), v)).collect(),
+            project: project.into_iter().map(|(n, v)| (label(&n, words), v)).collect(),
         }
     }
+}
+
+/// Name of a line of the title block.
+fn label(name: &str, words: &Words) -> String {
+    words.say(if name == "number" { "project number" } else { name })
 }
 
 /// Year, month and day of `2026-11-23` or `23.11.2026`.

@@ -39,6 +39,8 @@ pub struct VerdictBox {
     pub reason: Vec<Piece>,
     /// By code and by analysis: name, word, colour and what it stands on.
     pub parts: Vec<(String, String, Tone, String)>,
+    /// What brings the user further; empty where nothing is left to do.
+    pub next: Vec<Piece>,
 }
 
 /// The bracket of a load factor on an axis. Numbers are load factors.
