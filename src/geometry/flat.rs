@@ -104,6 +104,24 @@ impl FlatSolid {
         }
     }
 
+    /// The solid without the pieces that do not reach a box; `None` if nothing is left. Inside the
+    /// box it has the same material.
+    pub fn within(&self, of: &Bounds) -> Option<FlatSolid> {
+        let reach = |s: &FlatSolid| s.bounds().near(of, 0.0);
+        match self {
+            FlatSolid::Prism(_) => reach(self).then(|| self.clone()),
+            FlatSolid::Union(list) => {
+                let list: Vec<_> = list.iter().filter_map(|s| s.within(of)).collect();
+                (!list.is_empty()).then_some(FlatSolid::Union(list))
+            }
+            FlatSolid::Difference(list) => {
+                let (first, rest) = list.split_first()?;
+                let rest = rest.iter().filter_map(|s| s.within(of));
+                Some(FlatSolid::Difference([first.within(of)?].into_iter().chain(rest).collect()))
+            }
+        }
+    }
+
     /// Converts a solid: chords that keep the area replace arcs and circles.
     pub fn from_solid(solid: &Solid) -> Self {
         match solid {
@@ -161,6 +179,12 @@ impl Bounds {
             b.max[k] = b.max[k].max(other.max[k]);
         }
         b
+    }
+
+    /// Distance of the boxes; 0 if they meet \[mm\].
+    pub fn distance(&self, other: &Bounds) -> f64 {
+        let gap = |k: usize| (self.min[k] - other.max[k]).max(other.min[k] - self.max[k]).max(0.0);
+        (0..3).map(|k| gap(k) * gap(k)).sum::<f64>().sqrt()
     }
 
     /// True if the distance of the boxes is below `margin` \[mm\].

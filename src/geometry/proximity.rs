@@ -26,6 +26,9 @@ pub const SMALLEST_GAP: f64 = 1.0;
 /// that no regular pattern of features falls between them.
 const PROBES: usize = 900;
 
+/// Largest extent of the region common to two parts that one search for slivers covers \[mm\].
+const ONE_SEARCH: f64 = 80.0;
+
 /// A convex piece of a part, relative to its centre for precision.
 struct Piece {
     shape: ConvexPolyhedron,
@@ -40,22 +43,26 @@ struct Checked<'a> {
     pieces: Vec<Piece>,
 }
 
-/// Checks names, clashes, gaps, contacts and clearances, and reports all faults at once.
-pub fn check(assembly: &Assembly) -> Result<(), Diagnostics> {
+/// Checks names, clashes, gaps, contacts and clearances, and reports all faults at once. `None` if
+/// `stop` became true before the end.
+pub fn check(assembly: &Assembly, stop: &dyn Fn() -> bool) -> Option<Result<(), Diagnostics>> {
     let mut faults = super::validate::faults(assembly);
     if faults.is_empty() {
-        faults = proximity_faults(assembly);
+        faults = proximity_faults(assembly, stop)?;
     }
-    Diagnostics::refuse(faults.into_iter().map(Diagnostic::from).collect())
+    Some(Diagnostics::refuse(faults.into_iter().map(Diagnostic::from).collect()))
 }
 
-fn proximity_faults(assembly: &Assembly) -> Vec<GeometryError> {
+fn proximity_faults(assembly: &Assembly, stop: &dyn Fn() -> bool) -> Option<Vec<GeometryError>> {
     let parts: Vec<Checked> = assembly.parts.iter().map(prepare).collect();
     let mut faults = Vec::new();
     for (i, a) in parts.iter().enumerate() {
         for b in &parts[i + 1..] {
             if !a.bounds.near(&b.bounds, SMALLEST_GAP) {
                 continue;
+            }
+            if stop() {
+                return None;
             }
             if let Some((depth, at)) = overlap(a, b) {
                 faults.push(GeometryError::Clash {
@@ -76,6 +83,9 @@ fn proximity_faults(assembly: &Assembly) -> Vec<GeometryError> {
     let find = |name: &str| parts.iter().find(|p| p.part.name == name);
     let mut asked: Vec<[&str; 2]> = Vec::new();
     for rule in &assembly.interfaces {
+        if stop() {
+            return None;
+        }
         let names = [rule.between[0].as_str(), rule.between[1].as_str()];
         let (Some(a), Some(b)) = (find(names[0]), find(names[1])) else { continue };
         let gap = distance(a, b);
@@ -96,7 +106,7 @@ fn proximity_faults(assembly: &Assembly) -> Vec<GeometryError> {
             });
         }
     }
-    faults
+    Some(faults)
 }
 
 /// Descriptions of both parts, such as `the end plate of the right beam (PLATE_R)`.
@@ -174,6 +184,7 @@ fn probes(axis: usize, min: V3, max: V3) -> impl Iterator<Item = Line> {
 /// For each axis the longest common interval inside a box; returns the smallest of the three and
 /// its midpoint.
 fn common_material(a: &FlatSolid, b: &FlatSolid, min: V3, max: V3) -> Option<(f64, V3)> {
+    let (a, b) = (&a.within(&Bounds { min, max })?, &b.within(&Bounds { min, max })?);
     let mut thinnest: Option<(f64, V3)> = None;
     for axis in 0..3 {
         let mut longest: Option<(f64, V3)> = None;
@@ -205,36 +216,41 @@ fn common_material(a: &FlatSolid, b: &FlatSolid, min: V3, max: V3) -> Option<(f6
 /// Where pieces come close, the gap is measured in the solids with lines: the pieces around a hole
 /// keep clear of a shank that fills the hole, although the solids touch.
 fn sliver(a: &Checked, b: &Checked) -> Option<f64> {
-    let mut smallest: Option<f64> = None;
-    for p in &a.pieces {
-        for q in &b.pieces {
-            if !p.bounds.near(&q.bounds, SMALLEST_GAP) {
-                continue;
-            }
-            let distance =
-                query::distance(&p.pose, &p.shape, &q.pose, &q.shape).ok().map(|d| d.distance);
-            if distance.is_none_or(|d| d <= TOUCH || d >= SMALLEST_GAP) {
-                continue;
-            }
-            let min: V3 =
-                std::array::from_fn(|k| p.bounds.min[k].max(q.bounds.min[k]) - SMALLEST_GAP);
-            let max: V3 =
-                std::array::from_fn(|k| p.bounds.max[k].min(q.bounds.max[k]) + SMALLEST_GAP);
-            for gap in (0..3).filter_map(|axis| thin_air(&a.solid, &b.solid, axis, min, max)) {
-                smallest = Some(smallest.map_or(gap, |s| s.min(gap)));
-            }
-        }
-    }
-    smallest
+    let common = |p: &Bounds, q: &Bounds| Bounds {
+        min: std::array::from_fn(|k| p.min[k].max(q.min[k]) - SMALLEST_GAP),
+        max: std::array::from_fn(|k| p.max[k].min(q.max[k]) + SMALLEST_GAP),
+    };
+    let close = |p: &&Piece, q: &&Piece| {
+        let meet = p.bounds.near(&q.bounds, SMALLEST_GAP);
+        let distance = || query::distance(&p.pose, &p.shape, &q.pose, &q.shape);
+        meet && distance().is_ok_and(|d| d.distance > TOUCH && d.distance < SMALLEST_GAP)
+    };
+    let mut pairs = a.pieces.iter().flat_map(|p| {
+        b.pieces.iter().filter(move |q| close(&p, q)).map(move |q| common(&p.bounds, &q.bounds))
+    });
+    // around a bolt many pieces are close: one search covers all of them
+    let whole = common(&a.bounds, &b.bounds);
+    let boxes = if (0..3).all(|k| whole.max[k] - whole.min[k] <= ONE_SEARCH) {
+        pairs.next().map(|_| whole).into_iter().collect()
+    } else {
+        pairs.collect::<Vec<_>>()
+    };
+    let gaps = boxes.into_iter().filter_map(|of| {
+        let (near_a, near_b) = (a.solid.within(&of)?, b.solid.within(&of)?);
+        let of_axis = |axis| thin_air(&near_a, &near_b, axis, of.min, of.max);
+        (0..3).filter_map(of_axis).reduce(f64::min)
+    });
+    gaps.reduce(f64::min)
 }
 
 /// Shortest interval outside both solids, with a length in (`TOUCH`, `SMALLEST_GAP`), on lines
-/// along an axis.
+/// along an axis through a box.
 fn thin_air(a: &FlatSolid, b: &FlatSolid, axis: usize, min: V3, max: V3) -> Option<f64> {
     let thin = |d: f64| d > TOUCH && d < SMALLEST_GAP;
     let mut shortest: Option<f64> = None;
     for line in probes(axis, min, max) {
-        let (in_a, in_b) = (line.through(a), line.through(b));
+        let within = [[0.0, max[axis] - min[axis]]];
+        let [in_a, in_b] = [a, b].map(|solid| intersect(&line.through(solid), &within));
         for s in &in_a {
             for t in &in_b {
                 for gap in [t[0] - s[1], s[0] - t[1]] {
@@ -252,6 +268,10 @@ fn distance(a: &Checked, b: &Checked) -> f64 {
     let mut smallest = f64::INFINITY;
     for p in &a.pieces {
         for q in &b.pieces {
+            // the boxes are no farther apart than the pieces
+            if p.bounds.distance(&q.bounds) >= smallest {
+                continue;
+            }
             if let Ok(d) = query::distance(&p.pose, &p.shape, &q.pose, &q.shape) {
                 smallest = smallest.min(d.distance);
             }
@@ -266,10 +286,15 @@ mod tests {
     use crate::geometry::fixtures::{lap_joint, paper_joint};
 
     fn messages(assembly: &Assembly) -> Vec<(String, String)> {
-        match check(assembly) {
+        match check(assembly, &|| false).expect("not stopped") {
             Ok(()) => vec![],
             Err(d) => d.into_iter().map(|d| (d.code.to_string(), d.message)).collect(),
         }
+    }
+
+    #[test]
+    fn a_stopped_check_gives_no_answer() {
+        assert!(check(&paper_joint(), &|| true).is_none());
     }
 
     #[test]

@@ -13,7 +13,7 @@ use crate::geometry::geo_script::{self, Purpose, SIZES_FILE, Sizing};
 use crate::geometry::size::SizeRule;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 /// Options for meshing a joint: extent, element sizes and files.
@@ -86,7 +86,17 @@ pub fn mesh_joint(
 ) -> Result<JointMesh, Diagnostics> {
     let started = Instant::now();
     progress("checking clashes and clearances");
-    crate::geometry::proximity::check(assembly)?;
+    let interrupted = || options.interrupt.as_ref().is_some_and(|i| i.load(Ordering::Relaxed));
+    let stop = || interrupted() || started.elapsed() >= options.time_limit;
+    let Some(checked) = crate::geometry::proximity::check(assembly, &stop) else {
+        let seconds = started.elapsed().as_secs_f64();
+        return Err(if interrupted() {
+            MesherError::Interrupted { seconds }.into()
+        } else {
+            MesherError::TimeLimit { seconds }.into()
+        });
+    };
+    checked?;
     let scene = Scene::new(assembly, options.full);
     let sizes =
         if options.size_view.is_some() { Sizing::View } else { Sizing::Rule(options.sizes) };
@@ -106,7 +116,8 @@ pub fn mesh_joint(
             format!("{geo}Mesh.MeshSizeFactor = {scale};\n")
         };
         progress(if attempt == 0 { "meshing" } else { "meshing again, a tet was all but flat" });
-        let found = match mesh_once(&geo, &scene, &mesher, options, progress) {
+        let left = options.time_limit.saturating_sub(started.elapsed());
+        let found = match mesh_once(&geo, &scene, (&mesher, left), options, progress) {
             // a tet with a volume of nearly zero is a sliver that rounding has flattened
             Err(faults)
                 if !(last && best.is_none())
@@ -149,7 +160,7 @@ impl JointMesh {
 fn mesh_once(
     geo: &str,
     scene: &Scene,
-    mesher: &Mesher,
+    (mesher, time_limit): (&Mesher, Duration),
     options: &MeshOptions,
     progress: &mut dyn FnMut(&str),
 ) -> Result<JointMesh, Diagnostics> {
@@ -163,7 +174,7 @@ fn mesh_once(
         &["joint.geo", "-3", "-o", "joint_raw.msh"],
         dir,
         log,
-        options.time_limit,
+        time_limit,
         options.interrupt.as_deref(),
     )?;
     let mesher_seconds = in_mesher.elapsed().as_secs_f64();

@@ -63,14 +63,14 @@ pub enum MesherError {
         found: String,
     },
     /// The mesher exceeded the time limit and was stopped.
-    #[error("the mesher was stopped after {seconds:.0} s, the time limit")]
+    #[error("meshing was stopped after {seconds:.0} s, the time limit")]
     TimeLimit {
         /// The limit \[s\].
         seconds: f64,
     },
     /// The user asked to stop.
     #[error(
-        "interrupted while meshing: the mesher was stopped after {seconds:.0} s and nothing was \
+        "interrupted while meshing: it was stopped after {seconds:.0} s and nothing was \
          written"
     )]
     Interrupted {

@@ -47,7 +47,7 @@ fn texts_of_the_user_stay_text_and_pictures_are_inside() {
     for words in [
         "<title>&lt;script&gt;alert(1)&lt;/script&gt; &quot;&amp; &#39;#eval&#39;",
         "<img src=\"data:image/svg+xml;base64,Zm9v\" alt=\"&lt;script&gt;",
-        "<dt>number</dt><dd dir=\"auto\">&lt;script&gt;",
+        "<dt>project number</dt><dd dir=\"auto\">&lt;script&gt;",
         "\"name\":\"\\u003cscript>alert(1)\\u003c/script> \\\"&",
     ] {
         assert!(page.contains(words), "{words}: {page}");
