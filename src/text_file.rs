@@ -6,7 +6,12 @@
 //! match.
 
 use crate::diag::Diagnostic;
+use std::fs::File;
+use std::io::Read;
 use std::path::Path;
+
+/// Largest file that is read \[bytes\].
+const LARGEST: u64 = 256 << 20;
 
 const HELP: &str =
     "save the file as UTF-8: most editors offer it under `Save as` or `Save with encoding`";
@@ -16,7 +21,15 @@ pub fn read(
     path: &Path,
     unread: impl FnOnce(std::io::Error) -> Diagnostic,
 ) -> Result<String, Box<Diagnostic>> {
-    let bytes = std::fs::read(path).map_err(|e| Box::new(unread(e)))?;
+    let mut bytes = Vec::new();
+    // a device such as /dev/zero has no end
+    let read = File::open(path).and_then(|f| f.take(LARGEST + 1).read_to_end(&mut bytes));
+    read.map_err(|e| Box::new(unread(e)))?;
+    if bytes.len() as u64 > LARGEST {
+        let message = format!("the file has more than {} MB", LARGEST >> 20);
+        let help = "specs have some kB; divide a table, or name the right file";
+        return Err(Diagnostic::input("file/size", message).file(path).help(help).into());
+    }
     decode(bytes).map_err(|fault| {
         let d = Diagnostic::input("file/encoding", fault.problem).file(path).help(HELP);
         match fault.at {

@@ -33,6 +33,9 @@ pub struct Resolved {
 /// Smallest and largest value of a parameter in internal units, and the range in words.
 type Limits = (Option<f64>, Option<f64>, Option<String>);
 
+/// Most turns of nested loops, each of which is a scope in memory.
+const MOST_TURNS: usize = 100_000;
+
 /// A loop variable in one pass of its loop.
 #[derive(Clone, Debug)]
 struct Turn {
@@ -181,6 +184,10 @@ impl Scope {
                     let mut s = scope.clone();
                     s.turns.push(Turn { name: l.each.clone(), value, label, index });
                     next.push(s);
+                }
+                if next.len() > MOST_TURNS {
+                    let message = format!("more than {MOST_TURNS} turns of nested loops");
+                    return Err(ExprError { message, text: l.each.clone(), span: 0..l.each.len() });
                 }
             }
             scopes = next;

@@ -13,6 +13,7 @@ use crate::mesh::gmsh::Mesher;
 use crate::mesh::joint::{JointMesh, MeshOptions, mesh_joint, write_step};
 use crate::mesh::{msh_write, quality};
 use crate::report::console::log::Log;
+use crate::report::console::out;
 use crate::text_file;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -93,16 +94,14 @@ pub fn run(args: &MeshArgs, common: &Common) -> CommandResult {
     interrupt.check("meshing")?;
     folder.finish()?;
     match common.format {
-        Format::Text => {
-            println!(
-                "{}: {} tets, {} nodes, 1/{} of the joint\n{table}",
-                out.display(),
-                joint.mesh.tets.len(),
-                joint.mesh.nodes.len(),
-                joint.copies
-            );
-        }
-        Format::Json => println!("{json}"),
+        Format::Text => out::text(&format!(
+            "{}: {} tets, {} nodes, 1/{} of the joint\n{table}\n",
+            out.display(),
+            joint.mesh.tets.len(),
+            joint.mesh.nodes.len(),
+            joint.copies
+        ))?,
+        Format::Json => out::text(&format!("{json}\n"))?,
     }
     Ok(ExitStatus::Ok)
 }

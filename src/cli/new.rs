@@ -8,6 +8,7 @@ use crate::assembly::template::Template;
 use crate::assembly::template_file;
 use crate::catalog::Catalog;
 use crate::diag::{AtLeastOne, Diagnostic, Diagnostics, ExitStatus};
+use crate::report::console::out;
 use crate::spec::analysis::AnalysisSpec;
 use crate::spec::connection::{BoltSpec, ConnectionSpec, MemberSpec, ParameterValue, PlateSpec};
 use crate::spec::loads::{ActionPoint, LoadSpec};
@@ -41,7 +42,7 @@ pub fn run(args: &NewArgs, common: &Common) -> CommandResult {
     };
     let text = starter(&template, &origin, &name, &catalog, &today())?;
     let Some(path) = &args.output else {
-        print!("{text}");
+        out::text(&text)?;
         return Ok(ExitStatus::Ok);
     };
     write_new(path, &text)?;

@@ -5,6 +5,7 @@ use crate::assembly::template::Template;
 use crate::batch::sweep::Sweep;
 use crate::diag::{Diagnostic, Diagnostics, ExitStatus};
 use crate::model::file::ModelFile;
+use crate::report::console::out;
 use crate::spec::ConnectionSpec;
 use crate::spec::yaml::REST;
 use clap::ValueEnum;
@@ -35,7 +36,7 @@ pub struct SchemaArgs {
 
 /// Runs `bracket schema`.
 pub fn run(args: &SchemaArgs, _common: &Common) -> CommandResult {
-    print!("{}", text(args.kind)?);
+    out::text(&text(args.kind)?)?;
     Ok(ExitStatus::Ok)
 }
 

@@ -5,6 +5,7 @@ use super::new::named_on_the_command_line;
 use crate::assembly::template::{self, Template};
 use crate::assembly::template_file::{self, SHIPPED};
 use crate::diag::{Diagnostics, ExitStatus};
+use crate::report::console::out;
 use serde_json::{Value, json};
 use std::path::Path;
 
@@ -26,13 +27,18 @@ pub fn run(args: &TemplatesArgs, common: &Common) -> CommandResult {
         names.into_iter().map(|n| Ok(template_file::load(n, Path::new("."))?.0)).collect();
     let loaded = loaded.map_err(named_on_the_command_line)?;
     match (common.format, &args.name) {
-        (Format::Json, None) => println!("{}", Value::from_iter(loaded.iter().map(data))),
-        (Format::Json, Some(_)) => loaded.iter().for_each(|t| println!("{}", data(t))),
+        (Format::Json, None) => {
+            out::text(&format!("{}\n", Value::from_iter(loaded.iter().map(data))))?;
+        }
+        (Format::Json, Some(_)) => {
+            loaded.iter().try_for_each(|t| out::text(&format!("{}\n", data(t))))?;
+        }
         (Format::Text, None) => {
             let width = loaded.iter().map(|t| t.name.len()).max().unwrap_or(0);
-            loaded.iter().for_each(|t| println!("{:width$}  {}", t.name, t.title));
+            let line = |t: &Template| format!("{:width$}  {}\n", t.name, t.title);
+            out::text(&loaded.iter().map(line).collect::<String>())?;
         }
-        (Format::Text, Some(_)) => loaded.iter().for_each(|t| print!("{}", page(t))),
+        (Format::Text, Some(_)) => loaded.iter().try_for_each(|t| out::text(&page(t)))?,
     }
     Ok(ExitStatus::Ok)
 }

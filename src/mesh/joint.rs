@@ -146,8 +146,9 @@ const FLAT: f64 = 0.5;
 /// Factors on the element sizes, one for each attempt. gmsh occasionally leaves a sliver where a
 /// fillet ends; with slightly different sizes it does not.
 const SCALES: [f64; 4] = [1.0, 0.97, 0.94, 1.03];
-/// Codes of the reader's errors for meshes with tets of nearly zero volume.
-const FLAT_CODES: [&str; 2] = ["mesh/flat", "mesh/folded"];
+/// Codes of errors that other element sizes cure: meshes with tets of nearly zero volume, and
+/// crashes of the mesher.
+const FLAT_CODES: [&str; 3] = ["mesh/flat", "mesh/folded", "mesher/crashed"];
 
 impl JointMesh {
     /// Smallest dihedral angle of all tets \[degrees\].

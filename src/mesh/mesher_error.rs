@@ -77,6 +77,12 @@ pub enum MesherError {
         /// Duration of the run \[s\].
         seconds: f64,
     },
+    /// The mesher ended itself by a fault of its own.
+    #[error("the mesher crashed on this geometry with these element sizes (signal {signal})")]
+    Crashed {
+        /// The signal.
+        signal: i32,
+    },
     /// A signal from outside killed the mesher.
     #[error(
         "the mesher was killed by signal {signal} after {seconds:.0} s{}",
@@ -201,6 +207,12 @@ impl From<MesherError> for Diagnostic {
                 let help = "run the same command again when there is time for it";
                 return Diagnostic::undecided("mesher/interrupted", error.to_string()).help(help);
             }
+            E::Crashed { .. } => (
+                "mesher/crashed",
+                "choose other element sizes: `--size-factor 0.9`, or a smaller \
+                 `analysis.mesh.size`"
+                    .into(),
+            ),
             E::Killed { .. } => (
                 "mesher/killed",
                 "free memory, or ask for a larger `analysis.mesh.size`; then run again".into(),

@@ -4,7 +4,7 @@
 use super::mesher_error::{MesherError, final_path, shown};
 use std::ffi::OsString;
 use std::fs::File;
-use std::io::Read;
+use std::io::{Read, Seek};
 use std::path::Path;
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -51,36 +51,46 @@ pub(super) fn run_logged(
     if text.contains("No space left on device") {
         return Err(MesherError::DiskFull { file: final_path(dir) });
     }
+    // SIGABRT, SIGFPE, SIGSEGV, SIGBUS come from the program itself
+    if let Some(signal) = killed_by(&status).filter(|s| [6, 7, 8, 11].contains(s)) {
+        return Err(MesherError::Crashed { signal });
+    }
     if let Some(signal) = killed_by(&status) {
         return Err(MesherError::Killed { signal, seconds: started.elapsed().as_secs_f64() });
     }
     Ok((status, text))
 }
 
+/// Time for an answer.
+const PROBE: Duration = Duration::from_secs(60);
+
+/// Longest answer that is read \[bytes\].
+const LONGEST_ANSWER: u64 = 64 << 10;
+
 /// What a command prints in answer to a question, on both outputs.
 pub(super) fn answer(command: &[OsString], question: &'static str) -> Result<String, MesherError> {
+    let start = |source| MesherError::Start { command: shown(command), source };
+    // files take any amount of text, where a full pipe would stop the program that fills it
+    let mut said = tempfile::tempfile().map_err(start)?;
+    let [out, err] = [said.try_clone().map_err(start)?, said.try_clone().map_err(start)?];
     let mut child = process(command)
         .arg(question)
         .stdin(Stdio::null())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
+        .stdout(out)
+        .stderr(err)
         .spawn()
-        .map_err(|source| MesherError::Start { command: shown(command), source })?;
+        .map_err(start)?;
     let fail =
         |answer: String| MesherError::NoVersion { command: shown(command), question, answer };
-    let end = wait(&mut child, Duration::from_secs(60), None).map_err(|e| fail(e.to_string()))?;
+    let end = wait(&mut child, PROBE, None).map_err(|e| fail(e.to_string()))?;
     if !matches!(end, End::Exit(_)) {
-        return Err(fail("no answer within 60 s".into()));
+        return Err(fail(format!("no answer within {} s", PROBE.as_secs())));
     }
-    // some versions answer on standard error; the answer is too short to fill the pipes
-    let mut text = String::new();
-    if let Some(mut out) = child.stdout.take() {
-        let _ = out.read_to_string(&mut text);
-    }
-    if let Some(mut err) = child.stderr.take() {
-        let _ = err.read_to_string(&mut text);
-    }
-    Ok(text)
+    let mut text = Vec::new();
+    said.rewind()
+        .and_then(|()| said.take(LONGEST_ANSWER).read_to_end(&mut text))
+        .map_err(|e| fail(e.to_string()))?;
+    Ok(String::from_utf8_lossy(&text).into_owned())
 }
 
 fn process(command: &[OsString]) -> Command {

@@ -25,6 +25,10 @@ pub use value::{ExprError, Value};
 /// by them and does not report a syntax error.
 pub const INVALID_EXPRESSION: &str = "invalid expression: ";
 
+/// Most numbers, names and signs of an expression. A sum of many terms is a deep tree, which would
+/// overflow the stack.
+const MOST_TOKENS: usize = 1000;
+
 /// A parsed expression.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Expr {
@@ -38,6 +42,13 @@ impl Expr {
     /// Parses an expression.
     pub fn parse(text: &str) -> Result<Expr, ExprError> {
         let tokens = lex(text)?;
+        if tokens.len() > MOST_TOKENS {
+            let message = format!(
+                "{} words and signs in one expression, at most {MOST_TOKENS}: define its parts",
+                tokens.len()
+            );
+            return Err(fault(text, 0..text.len().min(60), message));
+        }
         let mut parser = Parser { text, tokens, next: 0, depth: 0 };
         let root = parser.expression(0)?;
         match parser.peek() {

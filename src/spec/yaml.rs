@@ -38,9 +38,18 @@ pub fn parse<T: DeserializeOwned>(text: &str, file: &Path) -> Result<Parsed<T>, 
     Ok(Parsed { value, index })
 }
 
+/// Largest document \[bytes\]; its values take a hundred times as much memory.
+const LARGEST: usize = 16 << 20;
+
 /// Refuses what no document may contain, whatever its type. Returns the places of an accepted
 /// document.
 fn accepted(text: &str, file: &Path) -> Result<PlaceIndex, Diagnostics> {
+    if text.len() > LARGEST {
+        let message =
+            format!("the file has {} MB, at most {} are read", text.len() >> 20, LARGEST >> 20);
+        let help = "specs have some kB; is this the right file?";
+        return Err(Diagnostic::input("yaml/size", message).file(file).help(help).into());
+    }
     if text.lines().all(|l| l.trim_start().is_empty() || l.trim_start().starts_with('#')) {
         let d = Diagnostic::input("yaml/empty", "the file is empty").file(file);
         return Err(d.help("`bracket new` writes a starter").into());

@@ -34,8 +34,15 @@ impl fmt::Display for Value {
             Value::Truth(t) => write!(f, "{t}"),
             Value::Quantity(q) => {
                 // nine decimals hide the rounding error of decimal input; messages need no more
-                let text = format!("{:.9}", q.value);
-                let text = text.trim_end_matches('0').trim_end_matches('.');
+                let text = if q.value.abs() < 1e15 {
+                    format!("{:.9}", q.value)
+                } else {
+                    format!("{:e}", q.value)
+                };
+                let text = match text.contains('e') {
+                    true => &text,
+                    false => text.trim_end_matches('0').trim_end_matches('.'),
+                };
                 f.write_str(if text == "-0" { "0" } else { text })?;
                 match q.dim {
                     Dim::NONE => Ok(()),
