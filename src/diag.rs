@@ -241,3 +241,12 @@ pub fn did_you_mean<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) ->
         .map(|(_, k)| format!(", did you mean `{k}`?"))
         .unwrap_or_default()
 }
+
+/// A text of the user for a terminal or a plain file. Control characters, which command a terminal,
+/// and marks that turn the direction of writing become the replacement character; line ends and
+/// tabs stay.
+pub fn visible(text: &str) -> String {
+    let turns = |c: char| matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+    let commands = |c: char| c.is_control() && c != '\n' && c != '\t';
+    text.chars().map(|c| if turns(c) || commands(c) { '\u{fffd}' } else { c }).collect()
+}

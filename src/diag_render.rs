@@ -1,6 +1,6 @@
 //! Output of faults: for people with the line and a caret under the place, for programs as JSON.
 
-use crate::diag::{Diagnostic, Diagnostics, Place};
+use crate::diag::{Diagnostic, Diagnostics, Place, visible};
 use annotate_snippets::{AnnotationKind, Level, Origin, Renderer, Snippet};
 use std::fs::File;
 use std::io::{BufRead, BufReader, Read};
@@ -32,8 +32,9 @@ pub fn json(faults: &Diagnostics) -> String {
 
 fn one(fault: &Diagnostic, colour: bool) -> String {
     let renderer = if colour { Renderer::styled() } else { Renderer::plain() };
-    let title = Level::ERROR.primary_title(fault.message.as_str()).id(fault.code);
-    let file = fault.place.file.as_ref().map(|f| f.display().to_string());
+    let message = visible(&fault.message);
+    let title = Level::ERROR.primary_title(message.as_str()).id(fault.code);
+    let file = fault.place.file.as_ref().map(|f| visible(&f.display().to_string()));
     let excerpt = excerpt(&fault.place);
     let mut group = title.elements(Vec::<annotate_snippets::Message>::new());
     match (&file, &excerpt) {
@@ -61,17 +62,17 @@ fn one(fault: &Diagnostic, colour: bool) -> String {
             }
             group = group.element(origin);
             if let Some(path) = &fault.place.path {
-                group = group.element(Level::NOTE.message(format!("at `{path}`")));
+                group = group.element(Level::NOTE.message(format!("at `{}`", visible(path))));
             }
         }
         (None, _) => {
             if let Some(path) = &fault.place.path {
-                group = group.element(Level::NOTE.message(format!("at `{path}`")));
+                group = group.element(Level::NOTE.message(format!("at `{}`", visible(path))));
             }
         }
     }
-    if let Some(help) = &fault.help {
-        group = group.element(Level::HELP.message(help.as_str()));
+    if let Some(help) = fault.help.as_deref().map(visible) {
+        group = group.element(Level::HELP.message(help));
     }
     renderer.render(&[group])
 }

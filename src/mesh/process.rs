@@ -4,10 +4,11 @@
 use super::mesher_error::{MesherError, final_path, shown};
 use std::ffi::OsString;
 use std::fs::File;
-use std::io::{Read, Seek};
+use std::io::Read;
 use std::path::Path;
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{Receiver, channel};
 use std::time::{Duration, Instant};
 
 /// Runs a command in `dir` with `arguments`; returns how it ended and its log, written to
@@ -69,28 +70,39 @@ const LONGEST_ANSWER: u64 = 64 << 10;
 
 /// What a command prints in answer to a question, on both outputs.
 pub(super) fn answer(command: &[OsString], question: &'static str) -> Result<String, MesherError> {
-    let start = |source| MesherError::Start { command: shown(command), source };
-    // files take any amount of text, where a full pipe would stop the program that fills it
-    let mut said = tempfile::tempfile().map_err(start)?;
-    let [out, err] = [said.try_clone().map_err(start)?, said.try_clone().map_err(start)?];
     let mut child = process(command)
         .arg(question)
         .stdin(Stdio::null())
-        .stdout(out)
-        .stderr(err)
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
         .spawn()
-        .map_err(start)?;
+        .map_err(|source| MesherError::Start { command: shown(command), source })?;
     let fail =
         |answer: String| MesherError::NoVersion { command: shown(command), question, answer };
+    // some versions answer on standard error
+    let out = child.stdout.take().map(drained);
+    let err = child.stderr.take().map(drained);
     let end = wait(&mut child, PROBE, None).map_err(|e| fail(e.to_string()))?;
     if !matches!(end, End::Exit(_)) {
         return Err(fail(format!("no answer within {} s", PROBE.as_secs())));
     }
-    let mut text = Vec::new();
-    said.rewind()
-        .and_then(|()| said.take(LONGEST_ANSWER).read_to_end(&mut text))
-        .map_err(|e| fail(e.to_string()))?;
-    Ok(String::from_utf8_lossy(&text).into_owned())
+    // a child of the mesher may keep its pipes open
+    let said = |text: Receiver<String>| text.recv_timeout(Duration::from_secs(2)).ok();
+    Ok([out, err].into_iter().flatten().filter_map(said).collect())
+}
+
+/// Reads a pipe to its end on a thread, so that it never fills up and stops the program behind it.
+/// Gives the first part of the text.
+fn drained(mut pipe: impl Read + Send + 'static) -> Receiver<String> {
+    let (send, receive) = channel();
+    std::thread::spawn(move || {
+        let mut text = Vec::new();
+        let _ = pipe.by_ref().take(LONGEST_ANSWER).read_to_end(&mut text);
+        let _ = std::io::copy(&mut pipe, &mut std::io::sink());
+        // nobody may wait for it any more
+        let _ = send.send(String::from_utf8_lossy(&text).into_owned());
+    });
+    receive
 }
 
 fn process(command: &[OsString]) -> Command {

@@ -1,18 +1,18 @@
 //! Text of the user inside HTML, SVG and scripts, where it must stay text.
 
+use crate::diag::visible;
+
 /// A text for HTML and XML: elements and attributes. Control characters, which XML refuses, become
 /// the replacement character.
 pub fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
+    for c in visible(text).chars() {
         match c {
             '&' => out.push_str("&amp;"),
             '<' => out.push_str("&lt;"),
             '>' => out.push_str("&gt;"),
             '"' => out.push_str("&quot;"),
             '\'' => out.push_str("&#39;"),
-            '\n' | '\t' => out.push(c),
-            c if c.is_control() => out.push('\u{fffd}'),
             c => out.push(c),
         }
     }

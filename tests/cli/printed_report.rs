@@ -122,6 +122,34 @@ fn equal_input_gives_equal_bytes_and_an_archival_file() {
     assert!(!holds(&plain, "pdfaid"));
 }
 
+/// Names of the user give no link, picture or element in any of the faces of a report, and command
+/// no terminal.
+#[test]
+fn names_of_the_user_are_text_in_every_face() {
+    let evil = "[c](javascript:x) ![i](http://e/x.png) <b>x</b> \\u001b[31mred \\u202Eabc";
+    let spec = format!("project: {{title: \"{evil}\", author: \"{evil}\"}}\n{JOINT}")
+        .replace("name: ULS1", &format!("name: \"U{evil}\""));
+    let bench = Bench::new().file("joint.yaml", &spec);
+    let (out, err) = expect(&bench, &["check", "joint.yaml", "--out", "r"], 0);
+    let faces = [("terminal", out + &err), ("log", bench.read("r/log.txt"))];
+    let files = ["report.md", "report.html", "drawing.svg", "actions.svg"];
+    let files = files.map(|f| (f, bench.read(&format!("r/{f}"))));
+    for (face, text) in faces.iter().chain(&files) {
+        assert!(!text.contains(['\u{1b}', '\u{202e}']), "{face}: {text}");
+    }
+    for (face, text) in &files {
+        assert!(!text.contains("<b>x"), "{face}: {text}");
+        assert!(!text.contains("](javascript") || face.ends_with("html"), "{face}: {text}");
+        assert!(!text.contains("href=\"javascript") && !text.contains("src=\"http"), "{face}");
+    }
+    assert!(files[0].1.contains("]\\(javascript"), "the name is there: {}", files[0].1);
+    // a message of refusal shows it too
+    let wrong = spec.replace("thickness: 15", "thickness: 0");
+    let bench = bench.file("wrong.yaml", wrong);
+    let (_, err) = expect(&bench, &["check", "wrong.yaml"], 2);
+    assert!(!err.contains(['\u{1b}', '\u{202e}']), "{err}");
+}
+
 /// Texts of the user that look like code, or that the fonts do not have, are set as text.
 #[test]
 fn hostile_texts_are_text() {

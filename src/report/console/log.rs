@@ -1,6 +1,7 @@
 //! The log of a run: lines on standard error, progress bars on a terminal, and `log.txt`.
 
 use crate::analysis::program::Program;
+use crate::diag::visible;
 use crate::report::console::pace::{Pace, about};
 use crate::solve::Iteration;
 use indicatif::{MultiProgress, ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
@@ -77,7 +78,7 @@ impl Log {
     pub fn say(&self, text: impl AsRef<str>) {
         if !self.quiet {
             // the run continues if the terminal is gone
-            self.bars.suspend(|| _ = writeln!(std::io::stderr(), "{}", text.as_ref()));
+            self.bars.suspend(|| _ = writeln!(std::io::stderr(), "{}", visible(text.as_ref())));
         }
     }
 
@@ -142,7 +143,7 @@ impl Log {
     fn keep(&self, text: &str) {
         let seconds = self.start.elapsed().as_secs_f64();
         let mut lines = held(&self.lines);
-        for line in text.lines() {
+        for line in visible(text).lines() {
             lines.push_str(&format!("[{seconds:9.3} s] {line}\n"));
         }
     }

@@ -1,6 +1,6 @@
 //! Data on standard output; messages go to standard error.
 
-use crate::diag::{Diagnostic, Diagnostics};
+use crate::diag::{Diagnostic, Diagnostics, visible};
 use serde::Serialize;
 use std::io::{ErrorKind, Write};
 
@@ -56,6 +56,7 @@ pub fn columns(head: &[&str], rows: &[Vec<String>]) -> String {
     };
     let mut text = line(&mut head.iter().copied());
     for row in rows {
+        let row: Vec<String> = row.iter().map(|cell| visible(cell)).collect();
         text += &line(&mut row.iter().map(String::as_str));
     }
     text

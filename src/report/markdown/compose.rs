@@ -1,5 +1,6 @@
 //! `report.md`: one page with the answer first and its justification below.
 
+use crate::diag::visible;
 use crate::report::markdown::answer::answer;
 use crate::report::markdown::assumptions::assumptions;
 use crate::report::markdown::certificate::certificates;
@@ -50,7 +51,7 @@ pub fn report_markdown(data: &ReportData, words: &Words) -> String {
         analyses(&mut page, data);
     }
     input::file(&mut page, data);
-    words.markdown(&page)
+    visible(&words.markdown(&page))
 }
 
 /// The sections behind the numbers of the analyses.

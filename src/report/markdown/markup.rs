@@ -16,9 +16,11 @@ pub(crate) fn paragraph(page: &mut String, text: &str) {
     page.push_str("\n\n");
 }
 
-/// Escapes a text so that it remains within its line or cell.
+/// Escapes a text so that it remains within its line or cell, and becomes no link, no picture and
+/// no element of HTML.
 pub(crate) fn inline(text: &str) -> String {
-    text.replace(['\n', '\r'], " ").replace('|', "\\|").replace('<', "&lt;")
+    let line = text.replace(['\n', '\r'], " ").replace('|', "\\|").replace('<', "&lt;");
+    line.replace("](", "]\\(")
 }
 
 pub(crate) fn table(page: &mut String, table: &Table) {
