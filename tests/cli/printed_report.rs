@@ -138,6 +138,8 @@ fn names_of_the_user_are_text_in_every_face() {
         assert!(!text.contains(['\u{1b}', '\u{202e}']), "{face}: {text}");
     }
     for (face, text) in &files {
+        // the input is echoed in a block of code, where nothing is read as a link
+        let text = text.split("```").step_by(2).collect::<String>();
         assert!(!text.contains("<b>x"), "{face}: {text}");
         assert!(!text.contains("](javascript") || face.ends_with("html"), "{face}: {text}");
         assert!(!text.contains("href=\"javascript") && !text.contains("src=\"http"), "{face}");
