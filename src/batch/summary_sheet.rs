@@ -45,25 +45,23 @@ pub fn sheet(
     };
     let names = ["number", "author", "checker", "date", "revision"];
     let project = names.iter().filter_map(|n| Some((n.to_string(), value(n)?))).collect();
-    let mut sections = vec![Section {
-        title: words.say("Cases by outcome"),
-        blocks: outcomes(counts, broken, words),
-    }];
-    let mut add = |blocks: Vec<Block>| {
-        // the first block is the heading of the text
+    let outcomes =
+        Section { title: words.say("Cases by outcome"), blocks: outcomes(counts, broken, words) };
+    // the first block is the heading of the text
+    let titled = |blocks: Vec<Block>| {
         let mut blocks = blocks.into_iter();
-        if let Some(Block::Heading { text, .. }) = blocks.next() {
-            let title = text.into_iter().map(|s| s.text).collect();
-            sections.push(Section { title, blocks: blocks.collect() });
-        }
+        let Some(Block::Heading { text, .. }) = blocks.next() else { return None };
+        let title = text.into_iter().map(|s| s.text).collect();
+        Some(Section { title, blocks: blocks.collect() })
     };
-    choice.iter().for_each(|c| add(section(words, |page| page.push_str(&c.markdown()))));
-    tables.iter().for_each(|t| add(section(words, |page| page.push_str(&t.markdown()))));
-    sections.push(Section { title: words.say("Cases"), blocks: cases(rows, words) });
+    let choice = choice.and_then(|c| titled(section(words, |page| page.push_str(&c.markdown()))));
+    let table = |t: &Filled| titled(section(words, |page| page.push_str(&t.markdown())));
     let paper = Paper::default();
     SweepSheet {
         head: Head::new(paper, title.into(), project, words, &Tool::this(), String::new()),
-        sections,
+        overview: [Some(outcomes), choice].into_iter().flatten().collect(),
+        tables: tables.iter().filter_map(table).collect(),
+        cases: Section { title: words.say("Cases"), blocks: cases(rows, words) },
     }
 }
 

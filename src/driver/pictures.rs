@@ -24,19 +24,29 @@ pub(crate) fn png(picture: &Picture) -> Result<Vec<u8>, Diagnostics> {
     })
 }
 
-/// The mesh.
-pub fn mesh_picture(
+/// Views of the mesh: file, direction to the eye (`None`: from slightly above), and words. The first
+/// view has the lines of the mesh.
+const VIEWS: [(&str, Option<V3>, &str); 3] = [
+    ("mesh.png", None, ""),
+    ("mesh_front.png", Some([0.0, -1.0, 0.0]), ", seen along y"),
+    ("mesh_side.png", Some([1.0, 0.0, 0.0]), ", seen along x"),
+];
+
+/// The mesh from slightly above, from the front and from the side.
+pub fn mesh_pictures(
     model: &AnalysisModel,
     mirror: &[usize],
     folder: &ResultFolder,
-) -> Result<PictureRef, Diagnostics> {
-    let picture = draw(&model.mesh, &PictureOptions { mirror, ..PictureOptions::default() });
-    folder.write("mesh.png", &png(&picture)?)?;
+) -> Result<Vec<PictureRef>, Diagnostics> {
     let copies = if mirror.is_empty() { "" } else { ", completed by symmetry" };
-    Ok(PictureRef {
-        file: "mesh.png".into(),
-        caption: format!("Mesh of {} tetrahedra{copies}", model.mesh.tets.len()),
-    })
+    let one = |(file, eye, seen): (&str, Option<V3>, &str)| {
+        let mesh_lines = eye.is_none();
+        let options = PictureOptions { mirror, eye, mesh_lines, ..PictureOptions::default() };
+        folder.write(file, &png(&draw(&model.mesh, &options))?)?;
+        let caption = format!("Mesh of {} tetrahedra{copies}{seen}", model.mesh.tets.len());
+        Ok(PictureRef { file: file.into(), caption })
+    };
+    VIEWS.into_iter().map(one).collect()
 }
 
 /// The contact pressures of a stress field that carries `factor` times the load, one picture for

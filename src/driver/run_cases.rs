@@ -12,7 +12,7 @@ use crate::driver::finish::{Analyses, Finished, certified, finish};
 use crate::driver::limits::Limits;
 use crate::driver::pass_entry::lower_stress;
 use crate::driver::passes::{Kept, Share};
-use crate::driver::pictures::{contact_pictures, convergence, deformed_picture, mesh_picture};
+use crate::driver::pictures::{contact_pictures, convergence, deformed_picture, mesh_pictures};
 use crate::driver::polygon::Directions;
 use crate::driver::scene::add_case;
 use crate::model::AnalysisModel;
@@ -82,7 +82,7 @@ pub fn run_cases(
         let maps = add_forces(&mut entry, best, &context, stem, &folder)?;
         let pictures = &mut analyses.pictures;
         if pictures.is_empty() {
-            pictures.push(mesh_picture(&upper.model, &context.mirror, &folder)?);
+            pictures.extend(mesh_pictures(&upper.model, &context.mirror, &folder)?);
             if let Some((_, _, quality)) = &upper.made {
                 context.mesh_quality = quality.clone();
             }

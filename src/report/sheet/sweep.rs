@@ -13,6 +13,10 @@ pub struct SweepSheet {
     /// Head of its pages.
     #[serde(flatten)]
     pub head: Head,
-    /// Its sections.
-    pub sections: Vec<Section>,
+    /// What stands before the tables: outcomes and choice.
+    pub overview: Vec<Section>,
+    /// Capacity tables, each on a page of its own.
+    pub tables: Vec<Section>,
+    /// The cases.
+    pub cases: Section,
 }
