@@ -1,7 +1,7 @@
 //! Adaptive passes: successively better meshes until the target gap or a limit is reached. The
 //! result consists of the best bounds of all passes.
 
-use crate::diag::Diagnostics;
+use crate::diag::{Diagnostic, Diagnostics};
 use crate::driver::case::Case;
 use crate::driver::context::RunContext;
 use crate::driver::limits::Limits;
@@ -120,16 +120,15 @@ fn finish(
         ));
     }
     let Some(b) = best(&entries) else { return Err(lost(name).into()) };
-    let mut take =
-        |index: usize| kept.iter().position(|k| k.index == index).map(|i| kept.swap_remove(i));
-    let upper = take(b.upper);
-    let lower = if b.lower == b.upper { None } else { take(b.lower) };
-    let apart = ![b.lower, b.upper].contains(&b.frictionless);
-    let frictionless = if apart { take(b.frictionless) } else { None };
-    // both passes have been kept since they became the best
-    let Some(upper) = upper else {
-        return Err(lost(name).into());
+    // a pass is kept as soon as it is the best; a bound without its fields and mesh is not reported
+    let mut take = |index: usize| {
+        let place = kept.iter().position(|k| k.index == index).ok_or_else(|| lost(name))?;
+        Ok::<_, Diagnostic>(kept.swap_remove(place))
     };
+    let upper = take(b.upper)?;
+    let lower = if b.lower == b.upper { None } else { Some(take(b.lower)?) };
+    let apart = ![b.lower, b.upper].contains(&b.frictionless);
+    let frictionless = if apart { Some(take(b.frictionless)?) } else { None };
     Ok(Adapted { entry, upper, lower, frictionless, frictionless_index: b.frictionless })
 }
 

@@ -9,7 +9,6 @@ use crate::driver::limits::{Limits, WHEN_INTERRUPTED};
 use crate::driver::meshing::quality_table;
 use crate::driver::remesh::{ByBisection, Places, Remesh, remesher};
 use crate::driver::run_cases::run_cases;
-use crate::driver::spec_file;
 use crate::mesh::{TetMesh, merge, msh, quality};
 use crate::model::file::{ModelFile, Nodes};
 use crate::model::resolve::load_model;
@@ -39,7 +38,7 @@ pub fn analyse_model(
     };
     let model = load_model(path).map_err(|faults| {
         let text = text_file::read(path, |e| unread(path, e)).unwrap_or_default();
-        if spec_file::top_level(&text, "template") && spec_file::top_level(&text, "loads") {
+        if yaml::top_level(&text, "template") && yaml::top_level(&text, "loads") {
             let hint = "this looks like a connection spec: `bracket run` reads it";
             return faults.into_first().help(hint).into();
         }

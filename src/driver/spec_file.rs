@@ -35,7 +35,7 @@ pub fn read(path: &Path, catalog_dir: Option<&Path>) -> Result<SpecFile, Diagnos
 /// The spec with this text. Its templates and tables are looked up beside `path`.
 pub fn parse(text: &str, path: &Path, catalog_dir: Option<&Path>) -> Result<SpecFile, Diagnostics> {
     let mut spec = yaml::parse::<ConnectionSpec>(text, path).map_err(|faults| {
-        if top_level(text, "mesh") && top_level(text, "bodies") {
+        if yaml::top_level(text, "mesh") && yaml::top_level(text, "bodies") {
             let hint = "this looks like a model file: `bracket analyse` reads it";
             return faults.into_first().help(hint).into();
         }
@@ -96,12 +96,6 @@ pub fn catalog_warning(w: &Diagnostic) -> String {
     let file = w.place.file.as_ref().map(|f| format!("{}: ", f.display())).unwrap_or_default();
     let line = w.place.line.map(|l| format!("line {l}: ")).unwrap_or_default();
     format!("warning[{}]: {file}{line}{w}", w.code)
-}
-
-/// True if a line of the file begins with this key. This is enough to distinguish specs from model
-/// files.
-pub fn top_level(text: &str, key: &str) -> bool {
-    text.lines().any(|l| l.strip_prefix(key).is_some_and(|rest| rest.trim_start().starts_with(':')))
 }
 
 #[cfg(test)]

@@ -12,7 +12,7 @@ use crate::driver::passes::Share;
 use crate::driver::remesh::{ByBisection, Places};
 use crate::driver::spec_cases::{cases, give_remesh};
 use crate::driver::spec_checks::{analysis_kinds, check_input};
-use crate::driver::spec_file::{self, SpecFile, top_level};
+use crate::driver::spec_file::{self, SpecFile};
 use crate::mesh::gmsh::Mesher;
 use crate::mesh::joint::MeshOptions;
 use crate::mesh::{TetMesh, bisect, merge, msh};
@@ -170,7 +170,7 @@ pub fn run_study(options: &StudyOptions, mut limits: Limits) -> Result<Study, Di
         options.out.clone().unwrap_or_else(|| options.file.with_file_name(format!("{stem}_study")));
     let log = Arc::new(Log::new(options.quiet));
     let defaults = AnalysisSpec::default();
-    let is_model = top_level(&text, "mesh") && top_level(&text, "bodies");
+    let is_model = yaml::top_level(&text, "mesh") && yaml::top_level(&text, "bodies");
     let begin = |limits: &Limits| -> Result<Folder, Diagnostics> {
         let folder = Folder::new(&target, MARK, "study")?;
         limits.interrupt.begin(&log, WHEN_INTERRUPTED, folder.give_up());

@@ -45,7 +45,7 @@ pub enum Again {
 
 /// Computes again what a result says beside its bounds.
 pub fn judged_again(folder: &Path, result: &ResultFile, data: &ReportData) -> Again {
-    if !spec_file::top_level(&data.input_text, "template") {
+    if !yaml::top_level(&data.input_text, "template") {
         let differences = of_model(result);
         return Again::Recomputed { what: "utilisations; a model has no demand", differences };
     }

@@ -6,6 +6,7 @@
 
 use crate::certify::bracket::{Bracket, Contradiction, LowerBound, UpperBound};
 use crate::certify::{FactorBracket, LowerFactor, UpperFactor};
+use crate::result::certificate::Certificate;
 use crate::result::quantity::Upper;
 
 /// The bounds of one load case.
@@ -32,8 +33,8 @@ pub enum CaseBounds {
 pub enum FactorLimit {
     /// Bounded by a mechanism that dissipates.
     Mechanism(UpperFactor),
-    /// Bounded by a mechanism at zero load: the load factor is 0.
-    FreeMechanism,
+    /// Bounded by this mechanism at zero load: the load factor is 0.
+    FreeMechanism(UpperFactor),
     /// Not bounded: the loads can grow without limit.
     Unbounded,
 }
@@ -64,9 +65,28 @@ impl CaseBounds {
             CaseBounds::Energy { upper, .. } => upper.as_ref().map(|b| Upper::Finite(b.value())),
             CaseBounds::Factor { upper, .. } => upper.as_ref().map(|limit| match limit {
                 FactorLimit::Mechanism(b) => Upper::Finite(b.value()),
-                FactorLimit::FreeMechanism => Upper::Finite(0.0),
+                FactorLimit::FreeMechanism(_) => Upper::Finite(0.0),
                 FactorLimit::Unbounded => Upper::UNBOUNDED,
             }),
+        }
+    }
+
+    /// Residuals of the stress field behind the lower bound.
+    pub fn lower_certificate(&self) -> Option<Certificate> {
+        match self {
+            CaseBounds::Energy { lower, .. } => lower.as_ref().map(Certificate::from),
+            CaseBounds::Factor { lower, .. } => lower.as_ref().map(Certificate::from),
+        }
+    }
+
+    /// Residuals of the motion behind the upper bound; a load factor without limit has none.
+    pub fn upper_certificate(&self) -> Option<Certificate> {
+        match self {
+            CaseBounds::Energy { upper, .. } => upper.as_ref().map(Certificate::from),
+            CaseBounds::Factor { upper, .. } => match upper.as_ref()? {
+                FactorLimit::Mechanism(b) | FactorLimit::FreeMechanism(b) => Some(b.into()),
+                FactorLimit::Unbounded => None,
+            },
         }
     }
 
@@ -93,7 +113,7 @@ impl CaseBounds {
                 Ok(Some(JoinedNumbers { lower, upper, gap }))
             }
             (
-                CaseBounds::Factor { upper: Some(FactorLimit::FreeMechanism), .. },
+                CaseBounds::Factor { upper: Some(FactorLimit::FreeMechanism(_)), .. },
                 CaseBounds::Factor { lower: Some(lower), .. },
             ) => {
                 // the mechanism's own factor is negative if the dead loads drive it too: the limit
@@ -142,7 +162,8 @@ mod tests {
     /// A mechanism at zero load leaves no gap and contradicts every positive lower bound.
     #[test]
     fn a_free_mechanism_contradicts_a_positive_lower_bound() {
-        let free = bounds(Some(0.0), Some(FactorLimit::FreeMechanism));
+        let at_zero = UpperFactor::new(UpperCertificate::default());
+        let free = bounds(Some(0.0), Some(FactorLimit::FreeMechanism(at_zero)));
         let joined = free.join(&free).expect("0 and 0").expect("both bounds");
         assert_eq!((joined.lower, joined.upper, joined.gap), (0.0, 0.0, None));
         assert!(free.join(&bounds(Some(0.1), None)).is_err());

@@ -1,5 +1,7 @@
 //! Residuals of the fields that prove a pair of bounds, in the form of `result.json`.
 
+use crate::certify::bracket::{LowerBound, UpperBound};
+use crate::certify::{LowerFactor, UpperFactor};
 use serde::{Deserialize, Serialize};
 
 /// Largest certificate residual of a strict bound, dimensionless.
@@ -33,6 +35,21 @@ pub struct Certificate {
 }
 
 impl Certificate {
+    /// The residuals of a kinematic and a static field: each its own, the larger one where both have
+    /// one.
+    pub fn with(&self, other: &Self) -> Self {
+        let larger = |a: Option<f64>, b: Option<f64>| [a, b].into_iter().flatten().reduce(f64::max);
+        Self {
+            strict: self.strict && other.strict,
+            equilibrium: larger(self.equilibrium, other.equilibrium),
+            traction_jump: larger(self.traction_jump, other.traction_jump),
+            yield_: larger(self.yield_, other.yield_),
+            contact: larger(self.contact, other.contact),
+            compatibility: larger(self.compatibility, other.compatibility),
+            volume: larger(self.volume, other.volume),
+        }
+    }
+
     /// Name, definition and value of each residual, in the order of docs/results.md.
     pub fn residuals(&self) -> [(&'static str, &'static str, Option<f64>); 6] {
         [
@@ -43,5 +60,59 @@ impl Certificate {
             ("compatibility", "max |u − u_d| / max |u|", self.compatibility),
             ("volume", "max |tr ε| h / max |v|", self.volume),
         ]
+    }
+}
+
+impl From<&LowerBound> for Certificate {
+    fn from(bound: &LowerBound) -> Self {
+        let c = bound.certificate();
+        let welds = c.weld.map(|used| used - 1.0);
+        Self {
+            strict: bound.is_strict(),
+            equilibrium: Some(c.equilibrium),
+            traction_jump: Some(c.traction_jump),
+            yield_: c.yields.into_iter().chain(welds).reduce(f64::max),
+            contact: c.contact,
+            ..Self::default()
+        }
+    }
+}
+
+impl From<&UpperBound> for Certificate {
+    fn from(bound: &UpperBound) -> Self {
+        let c = bound.certificate();
+        Self {
+            strict: bound.is_strict(),
+            contact: c.contact,
+            compatibility: Some(c.compatibility),
+            ..Self::default()
+        }
+    }
+}
+
+impl From<&LowerFactor> for Certificate {
+    fn from(bound: &LowerFactor) -> Self {
+        let c = bound.certificate();
+        Self {
+            strict: bound.is_strict(),
+            equilibrium: Some(c.equilibrium),
+            traction_jump: Some(c.traction_jump),
+            yield_: Some(c.worst() + c.cover - 1.0),
+            contact: c.contact,
+            ..Self::default()
+        }
+    }
+}
+
+impl From<&UpperFactor> for Certificate {
+    fn from(bound: &UpperFactor) -> Self {
+        let c = bound.certificate();
+        Self {
+            strict: bound.is_strict(),
+            contact: c.contact,
+            compatibility: Some(c.compatibility.max(c.rigid)),
+            volume: Some(c.volume),
+            ..Self::default()
+        }
     }
 }

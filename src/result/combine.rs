@@ -5,9 +5,9 @@ use crate::certify::bracket::Contradiction;
 use crate::result::bounds::CaseBounds;
 use crate::result::case_result::CaseResult;
 use crate::result::case_result::PartYield;
-use crate::result::case_result::PeakPressure;
-use crate::result::certificate::Certificate;
-use crate::result::quantity::{FrictionModel, RawBracket, Upper};
+use crate::result::case_result::{PeakPressure, WeldUse};
+use crate::result::quantity::{FrictionModel, Quantity, RawBracket, Upper};
+use crate::spec::analysis::AnalysisKind;
 
 /// Result of one pass for a load case: its own entry, and the bounds behind it.
 #[derive(Clone, Debug)]
@@ -69,48 +69,47 @@ pub fn best(passes: &[PassResult]) -> Option<Best> {
     let upper = place(&|b| b.upper().and_then(Upper::finite).map(|u| -u));
     let some = lower.or(upper).or_else(|| (!passes.is_empty()).then_some(0))?;
     let (lower, upper) = (lower.unwrap_or(some), upper.unwrap_or(some));
-    let mut frictionless = (passes[lower].entry.safe_lower(), lower);
+    // the pass of the lower bound if it has the largest one; else the last of equals, whose fields
+    // are still there: those of earlier ones went when another pass had the same
+    let of_answer = passes[lower].entry.safe_lower();
+    let mut frictionless = (of_answer, lower);
     for (i, p) in passes.iter().enumerate() {
-        if p.entry.safe_lower() > frictionless.0 {
-            frictionless = (p.entry.safe_lower(), i);
+        let safe = p.entry.safe_lower();
+        if safe > of_answer && safe >= frictionless.0 {
+            frictionless = (safe, i);
         }
     }
     Some(Best { lower, upper, frictionless: frictionless.1 })
-}
-
-fn worse(a: Option<f64>, b: Option<f64>) -> Option<f64> {
-    [a, b].into_iter().flatten().reduce(f64::max)
 }
 
 /// One entry with the upper bound of the first and the lower bound of the second pass. Both passes
 /// must be of the same structure.
 pub fn join(upper: PassResult, lower: PassResult) -> Result<CaseResult, Contradiction> {
     let joined = upper.bounds.join(&lower.bounds)?;
+    let sides = (
+        upper.bounds.upper_certificate().or(upper.entry.certificate),
+        lower.bounds.lower_certificate().or(lower.entry.certificate),
+    );
     let (upper, lower) = (upper.entry, lower.entry);
     let raw = |l: Option<RawBracket>, u: Option<RawBracket>| {
         let joined = RawBracket { lower: l.and_then(|l| l.lower), upper: u.and_then(|u| u.upper) };
         (l.is_some() || u.is_some()).then_some(joined)
     };
-    let certificate = match (upper.certificate, lower.certificate) {
-        (Some(u), Some(l)) => Some(Certificate {
-            strict: u.strict && l.strict,
-            equilibrium: l.equilibrium,
-            traction_jump: l.traction_jump,
-            yield_: l.yield_,
-            contact: worse(l.contact, u.contact),
-            compatibility: u.compatibility,
-            volume: u.volume,
-        }),
+    // a field that gives no bound of the answer has no part in its certificate
+    let certificate = match sides {
+        (Some(u), Some(l)) => Some(u.with(&l)),
         (u, l) => u.or(l),
     };
+    let strict = certificate.is_some_and(|c| c.strict);
     let gap = joined.and_then(|b| b.gap);
-    let load_displacement =
-        match (joined, upper.load_displacement.or(lower.load_displacement), upper.load) {
-            (Some(b), Some(_), Some(f)) => {
-                Some([-2.0 * b.upper / f.value(), -2.0 * b.lower / f.value()])
-            }
-            _ => None,
-        };
+    let estimated = upper.quantity == Quantity::PotentialEnergy && !strict;
+    let load = upper.load.or(lower.load).filter(|_| !estimated);
+    let load_displacement = match (joined, load) {
+        (Some(b), Some(f)) if upper.analysis == AnalysisKind::Elastic => {
+            Some([-2.0 * b.upper / f.value(), -2.0 * b.lower / f.value()])
+        }
+        _ => None,
+    };
     let peak = (upper.peak_contact_pressure, lower.peak_contact_pressure);
     let peak_contact_pressure = match peak {
         (None, None) => None,
@@ -128,6 +127,13 @@ pub fn join(upper: PassResult, lower: PassResult) -> Result<CaseResult, Contradi
         .into_iter()
         .map(|u| PartYield { utilisation: stress_of(&u.part), ..u })
         .collect();
+    let used = |name: &str| lower.welds.iter().find(|l| l.weld == name);
+    let weld = |u: WeldUse| WeldUse {
+        utilisation: used(&u.weld).and_then(|l| l.utilisation),
+        mean_utilisation: used(&u.weld).and_then(|l| l.mean_utilisation),
+        ..u
+    };
+    let welds = upper.welds.into_iter().map(weld).collect();
     let mut warnings = upper.warnings;
     for w in lower.warnings {
         if !warnings.contains(&w) {
@@ -137,12 +143,14 @@ pub fn join(upper: PassResult, lower: PassResult) -> Result<CaseResult, Contradi
     Ok(CaseResult {
         lower: lower.lower,
         gap,
+        load,
         load_displacement,
         certificate,
         frictionless: raw(lower.frictionless, upper.frictionless),
         associated: raw(lower.associated, upper.associated),
         limiting_part: lower.limiting_part,
         yielding,
+        welds,
         peak_contact_pressure,
         warnings,
         ..upper

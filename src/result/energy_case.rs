@@ -53,26 +53,9 @@ fn trace_row(i: &Iteration) -> TraceRow {
 
 /// The residuals of both fields; if both fields have a residual, the larger one.
 fn certificate(pass: &EnergyPass) -> Option<Certificate> {
-    let (l, u) = (pass.lower.as_ref(), pass.upper.as_ref());
-    if l.is_none() && u.is_none() {
-        return None;
-    }
-    let (sc, kc) = (l.map(|b| b.certificate()), u.map(|b| b.certificate()));
-    let contact = [sc.and_then(|c| c.contact), kc.and_then(|c| c.contact)]
-        .into_iter()
-        .flatten()
-        .reduce(f64::max);
-    Some(Certificate {
-        strict: l.is_none_or(|b| b.is_strict()) && u.is_none_or(|b| b.is_strict()),
-        equilibrium: sc.map(|c| c.equilibrium),
-        traction_jump: sc.map(|c| c.traction_jump),
-        yield_: sc.and_then(|c| {
-            c.yields.into_iter().chain(c.weld.map(|used| used - 1.0)).reduce(f64::max)
-        }),
-        contact,
-        compatibility: kc.map(|c| c.compatibility),
-        volume: None,
-    })
+    let of =
+        [pass.upper.as_ref().map(Certificate::from), pass.lower.as_ref().map(Certificate::from)];
+    of.into_iter().flatten().reduce(|u, l| u.with(&l))
 }
 
 /// The problem whose solution the bracket contains.
@@ -281,7 +264,7 @@ pub fn case_result(
     let lower = pass.lower.as_ref().map(|b| b.value());
     let upper = pass.upper.as_ref().map(|b| b.value());
     let gap = pass.bracket.as_ref().map(|b| b.gap());
-    let strict = pass.bracket.as_ref().is_some_and(|b| b.is_strict());
+    let strict = certificate(pass).is_some_and(|c| c.strict);
     let load = proportional_load(model).filter(|f| f.value() > 0.0 && strict);
     let elastic = model.analysis == AnalysisKind::Elastic;
     let load_displacement = match (lower, upper, load) {

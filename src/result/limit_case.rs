@@ -43,7 +43,7 @@ fn answer(
 }
 
 /// The residuals of both fields; if both fields have a residual, the larger one.
-fn certificate(pass: &LimitPass, lower: Option<&LowerFactor>) -> Option<Certificate> {
+fn certificate(pass: &LimitPass, bounds: &CaseBounds) -> Option<Certificate> {
     if let Some(u) = &pass.unlimited {
         let c = &u.certificate;
         return Some(Certificate {
@@ -55,25 +55,11 @@ fn certificate(pass: &LimitPass, lower: Option<&LowerFactor>) -> Option<Certific
             ..Certificate::default()
         });
     }
-    let free = pass.free.as_ref().map(|f| UpperFactor::new(f.certificate.clone()));
-    let upper = pass.upper.as_ref().or(free.as_ref());
-    if lower.is_none() && upper.is_none() {
-        return None;
+    let of_upper = bounds.upper_certificate();
+    match (bounds.lower_certificate(), of_upper) {
+        (Some(l), Some(u)) => Some(u.with(&l)),
+        (l, u) => l.or(u),
     }
-    let (sc, kc) = (lower.map(|b| b.certificate()), upper.map(|b| b.certificate()));
-    let contact = [sc.and_then(|c| c.contact), kc.and_then(|c| c.contact)]
-        .into_iter()
-        .flatten()
-        .reduce(f64::max);
-    Some(Certificate {
-        strict: lower.is_none_or(|b| b.is_strict()) && upper.is_none_or(|b| b.is_strict()),
-        equilibrium: sc.map(|c| c.equilibrium),
-        traction_jump: sc.map(|c| c.traction_jump),
-        yield_: sc.map(|c| c.worst() + c.cover - 1.0),
-        contact,
-        compatibility: kc.map(|c| c.compatibility.max(c.rigid)),
-        volume: kc.map(|c| c.volume),
-    })
 }
 
 /// True if the static program finds that the load can grow without limit: a stress field in
@@ -196,7 +182,8 @@ fn shares(model: &AnalysisModel, velocity: &VelocityField) -> Shares {
 pub fn factor_bounds(pass: &LimitPass, problem: FrictionModel) -> CaseBounds {
     let (lower, _, _) = answer(pass, problem);
     let mechanism = pass.upper.clone().map(FactorLimit::Mechanism);
-    let limit = mechanism.or(pass.free.is_some().then_some(FactorLimit::FreeMechanism));
+    let free = pass.free.as_ref().map(|f| UpperFactor::new(f.certificate.clone()));
+    let limit = mechanism.or(free.map(FactorLimit::FreeMechanism));
     // if both programs find no limit, the word `unbounded` is based on the static one
     let no_limit = pass.unlimited.is_some() || unbounded(pass.statics.as_ref());
     let upper = limit.or(no_limit.then_some(FactorLimit::Unbounded));
@@ -215,7 +202,7 @@ pub fn limit_case_result(
     let bounds = factor_bounds(pass, problem);
     let (lower, upper) = (bounds.lower(), bounds.upper());
     let gap = bracket.map(FactorBracket::gap).filter(|g| g.is_finite());
-    let mut certificate = certificate(pass, low);
+    let mut certificate = certificate(pass, &bounds);
     let mut warnings = program_warnings(pass, problem);
     warnings.extend(estimate_warning(certificate));
     warnings.extend(estimate_missing(model, pass));

@@ -38,6 +38,20 @@ pub fn parse<T: DeserializeOwned>(text: &str, file: &Path) -> Result<Parsed<T>, 
     Ok(Parsed { value, index })
 }
 
+/// True if a document has this key at its top level, which distinguishes specs from model files. Of
+/// a text that is no document, the keys are the words with which its lines begin.
+pub fn top_level(text: &str, key: &str) -> bool {
+    match Outline::read(text) {
+        Ok(Outline::Map(entries)) => entries.iter().any(|(k, _)| k == key),
+        _ => {
+            let starts = |l: &str| {
+                l.strip_prefix(key).is_some_and(|rest| rest.trim_start().starts_with(':'))
+            };
+            text.lines().any(starts)
+        }
+    }
+}
+
 /// Largest document \[bytes\]; its values take a hundred times as much memory.
 const LARGEST: usize = 16 << 20;
 

@@ -94,3 +94,22 @@ fn an_elastic_weld_is_certified_and_verified() {
     let (_, err) = expect(&torn, &["analyse", "bars.yaml"], 3);
     assert!(err.contains("part B moves along +x"), "{err}");
 }
+
+/// In limit analysis each bound has its own sequence of meshes. Whatever mesh each bound ends on,
+/// the values that belong to its field are stored with it, and `verify` finds them again.
+#[test]
+fn bounds_of_two_meshes_keep_the_values_of_their_fields() {
+    let model = WELDED.replace("A: rigid", "A: steel").replace("[100, 0, 0]", "[0, 0, -10]");
+    let mut apart = 0;
+    for target in ["0.3", "0.14", "0.05"] {
+        let adapt = format!("adapt: {{target_gap: {target}, max_macro_tets: 2500, max_passes: 3}}");
+        let bench = bench(&format!("{model}{adapt}\n"));
+        expect(&bench, &["analyse", "bars.yaml", "-q"], 0);
+        let weld = &case(&bench)["welds"][0];
+        assert!(number(&weld["utilisation"]) > 0.0 && number(&weld["share"]) >= 0.0, "{weld}");
+        let (out, _) = expect(&bench, &["verify", "bars"], 0);
+        assert!(!out.contains("REFUTED"), "{target}: {out}");
+        apart += usize::from(bench.path().join("bars/fields/bars_static.yaml").is_file());
+    }
+    assert!(apart > 0, "no pair of bounds of two meshes");
+}

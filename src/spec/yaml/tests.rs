@@ -239,3 +239,14 @@ proptest::proptest! {
         let _ = read(&format!("{}{put}{}", &GOOD[..cut], &GOOD[end..]));
     }
 }
+
+#[test]
+fn keys_of_the_top_level_are_found_in_every_form() {
+    for text in ["template: t\na: 1", "{\"template\": \"t\"}", "{a: 1, template: t}"] {
+        assert!(top_level(text, "template"), "{text}");
+        assert!(!top_level(text, "mesh"), "{text}");
+    }
+    assert!(!top_level("a: {template: t}", "template"));
+    // not a document: the error that follows says what kind of file it looks like
+    assert!(top_level("mesh: [\nbodies: x", "mesh"));
+}
