@@ -1,17 +1,32 @@
 #!/bin/sh
 # Everything that must pass, from nothing: set up, format, lints, tests (unit, literature, doc), licences, examples.
 # --heavy adds the tests that take long (fine meshes, convergence studies, a sweep on a real Slurm, the feature `parquet`).
+# --campaign runs nothing but the campaign of random inputs (tests/campaign), which takes five minutes of the whole otherwise.
 set -eu
 cd -- "$(dirname -- "$0")/.."
 heavy=no
-case "$#:${1:-}" in
-    0:) ;;
-    1:--heavy) heavy=yes ;;
-    *)
-        echo "usage: scripts/test.sh [--heavy]" >&2
-        exit 2
-        ;;
-esac
+campaign=no
+minutes=5
+seed=1
+usage() {
+    echo "usage: scripts/test.sh [--heavy] | --campaign [--minutes N] [--seed S]" >&2
+    exit 2
+}
+while [ $# -gt 0 ]; do
+    case "$1" in
+        --heavy) heavy=yes ;;
+        --campaign) campaign=yes ;;
+        --minutes | --seed)
+            [ "$campaign" = yes ] && [ $# -gt 1 ] || usage
+            case "$2" in '' | *[!0-9]*) usage ;; esac
+            if [ "$1" = --minutes ]; then minutes=$2; else seed=$2; fi
+            shift
+            ;;
+        *) usage ;;
+    esac
+    shift
+done
+[ "$heavy$campaign" != yesyes ] || usage
 
 not_run=''
 step() {
@@ -20,6 +35,13 @@ step() {
 }
 
 scripts/setup.sh --test
+
+campaign() { step .venv/bin/python tests/campaign/run.py --minutes "$minutes" --seed "$seed"; }
+if [ "$campaign" = yes ]; then
+    step cargo build --release --locked
+    campaign
+    exit
+fi
 
 # A toolchain in its minimal profile lacks the two components; rustup adds them where it can.
 for component in fmt clippy; do
@@ -56,6 +78,7 @@ if [ "$heavy" = yes ]; then
     step "${PWD}/scripts/parquet_test.sh"
 fi
 step .venv/bin/python scripts/readme.py --check
+campaign
 
 if [ -n "$not_run" ]; then
     printf '\nnot run, because not within reach here:%s\n' "$not_run" >&2

@@ -167,10 +167,19 @@ impl Canvas {
         let along = [b[0] - a[0], b[1] - a[1]];
         let length2 = along[0] * along[0] + along[1] * along[1];
         let reach = half + 1.0;
-        let first = |k: usize| (a[k].min(b[k]) - reach).floor().max(0.0) as usize;
-        let past = |k: usize, n: usize| ((a[k].max(b[k]) + reach).ceil().max(0.0) as usize).min(n);
-        for row in first(1)..past(1, self.height) {
-            for column in first(0)..past(0, self.width) {
+        let first = |x: f64| (x - reach).floor().max(0.0) as usize;
+        let past = |x: f64, n: usize| ((x + reach).ceil().max(0.0) as usize).min(n);
+        // where the line crosses a height, as a part of its length
+        let part = |y: f64| (y - a[1]) / along[1];
+        for row in first(a[1].min(b[1]))..past(a[1].max(b[1]), self.height) {
+            // only the part of the line that is within reach of the row matters
+            let y = row as f64 + 0.5;
+            let [t0, t1] = match along[1] == 0.0 {
+                true => [0.0, 1.0],
+                false => [part(y - reach), part(y + reach)].map(|t| t.clamp(0.0, 1.0)),
+            };
+            let [x0, x1] = [t0, t1].map(|t| a[0] + t * along[0]);
+            for column in first(x0.min(x1))..past(x0.max(x1), self.width) {
                 let p = [column as f64 + 0.5 - a[0], row as f64 + 0.5 - a[1]];
                 let t = if length2 > 0.0 {
                     ((p[0] * along[0] + p[1] * along[1]) / length2).clamp(0.0, 1.0)
@@ -215,5 +224,36 @@ impl Canvas {
             }
         }
         Picture { width, height, rgb }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every sample that a line covers is drawn, whatever the slope of the line.
+    #[test]
+    fn lines_of_every_slope_are_whole() {
+        for turn in 0..24 {
+            let angle = f64::from(turn) * std::f64::consts::PI / 12.0;
+            let (a, b) = ([20.0, 20.0], [20.0 + 15.0 * angle.cos(), 20.0 + 15.0 * angle.sin()]);
+            let mut canvas = Canvas::new(40, 40, [255.0; 3]);
+            canvas.line(a, b, 1.5, [0.0; 3]);
+            let s = SAMPLES as f64;
+            for (i, colour) in canvas.colour.iter().enumerate() {
+                let p = [(i % canvas.width) as f64, (i / canvas.width) as f64];
+                let p = p.map(|x| (x + 0.5) / s);
+                let along = [b[0] - a[0], b[1] - a[1]];
+                let t = ((p[0] - a[0]) * along[0] + (p[1] - a[1]) * along[1]) / 225.0;
+                let t = t.clamp(0.0, 1.0);
+                let off = [p[0] - a[0] - t * along[0], p[1] - a[1] - t * along[1]];
+                let distance = off[0].hypot(off[1]);
+                // the edge is one sample wide
+                let inside = distance < 1.5 - 0.5 / s - 1e-9;
+                let outside = distance > 1.5 + 0.5 / s + 1e-9;
+                assert!(!inside || *colour == [0; 3], "{turn}: {p:?} {colour:?}");
+                assert!(!outside || *colour == [255; 3], "{turn}: {p:?} {colour:?}");
+            }
+        }
     }
 }

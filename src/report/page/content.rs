@@ -113,7 +113,7 @@ impl<'a> Content<'a> {
         if !verdict.parts.is_empty() {
             self.body.push_str("<ul>\n");
             for (name, word, t, on) in &verdict.parts {
-                let (name, word, on) = (escaped(name), escaped(word), escaped(on));
+                let (name, word, on) = (escaped(name), escaped(word), spans(on));
                 let _ = writeln!(
                     self.body,
                     "<li>{name}: <strong class=\"{}\">{word}</strong> <span \
@@ -124,7 +124,7 @@ impl<'a> Content<'a> {
             self.body.push_str("</ul>\n");
         }
         if !verdict.next.is_empty() {
-            let _ = writeln!(self.body, "<p>{}</p>", pieces(&verdict.next));
+            let _ = writeln!(self.body, "<p>{}</p>", spans(&verdict.next));
         }
         self.body.push_str("</section>\n");
     }

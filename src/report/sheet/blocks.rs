@@ -74,9 +74,19 @@ pub fn plain(text: impl Into<String>) -> Text {
     vec![Span { text: text.into(), pieces: Vec::new(), bold: false, code: false }]
 }
 
-/// A sentence: text in which `M_j,Rd` is a symbol with its subscript.
+/// A sentence: text in which `M_j,Rd` is a symbol with its subscript, and words between backquotes
+/// are code.
 pub fn sentence(text: &str) -> Text {
-    with_symbols(plain(text))
+    // between a pair of marks stands code
+    let paired = text.matches('`').count().is_multiple_of(2);
+    let parts = text.split(|c| c == '`' && paired).enumerate();
+    let span = |(i, part): (usize, &str)| Span {
+        text: part.into(),
+        pieces: Vec::new(),
+        bold: false,
+        code: i % 2 == 1,
+    };
+    with_symbols(parts.filter(|p| !p.1.is_empty()).map(span).collect())
 }
 
 fn with_symbols(mut text: Text) -> Text {

@@ -98,9 +98,9 @@ fn verdict(result: &ResultFile, words: &Words) -> VerdictBox {
         return VerdictBox { word, tone, reason, parts: Vec::new(), next: Vec::new() };
     };
     let part = |(name, v, on): (&str, Verdict, String)| {
-        (words.say(name), words.say(v.words()), Tone::from(v), words.say(&on))
+        (words.say(name), words.say(v.words()), Tone::from(v), sentence(&words.say(&on)))
     };
-    let next = |step: &str| pieces(&words.say(&format!("Next step: {step}.")));
+    let next = |step: &str| sentence(&words.say(&format!("Next step: {step}.")));
     VerdictBox {
         word,
         tone,

@@ -38,9 +38,9 @@ pub struct VerdictBox {
     /// Reason, in a sentence.
     pub reason: Vec<Piece>,
     /// By code and by analysis: name, word, colour and what it stands on.
-    pub parts: Vec<(String, String, Tone, String)>,
+    pub parts: Vec<(String, String, Tone, Text)>,
     /// What brings the user further; empty where nothing is left to do.
-    pub next: Vec<Piece>,
+    pub next: Text,
 }
 
 /// The bracket of a load factor on an axis. Numbers are load factors.
