@@ -8,14 +8,17 @@
 mod extend;
 mod outline;
 mod place;
+mod scan;
 
 pub use extend::REST;
 pub use place::PlaceIndex;
 
 use crate::diag::{Diagnostic, Diagnostics, Place, did_you_mean};
 use outline::Outline;
+use scan::Scan;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
+use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 
 /// A value read from YAML, with the place of each of its parts.
@@ -33,8 +36,8 @@ pub struct Parsed<T> {
 /// document, unknown keys (if `T` denies them), missing keys, duplicate keys in any mapping, NaN
 /// and infinity, tags, and aliases that expand beyond a million values.
 pub fn parse<T: DeserializeOwned>(text: &str, file: &Path) -> Result<Parsed<T>, Diagnostics> {
-    let index = accepted(text, file)?;
-    let value = serde_yaml::from_str(text).map_err(|e| from_serde(&e, &index, file))?;
+    let (index, text) = accepted(text, file)?;
+    let value = serde_yaml::from_str(&text).map_err(|e| from_serde(&e, &index, file))?;
     Ok(Parsed { value, index })
 }
 
@@ -42,8 +45,8 @@ pub fn parse<T: DeserializeOwned>(text: &str, file: &Path) -> Result<Parsed<T>, 
 const LARGEST: usize = 16 << 20;
 
 /// Refuses what no document may contain, whatever its type. Returns the places of an accepted
-/// document.
-fn accepted(text: &str, file: &Path) -> Result<PlaceIndex, Diagnostics> {
+/// document, and its text as the YAML crate reads it.
+fn accepted<'t>(text: &'t str, file: &Path) -> Result<(PlaceIndex, Cow<'t, str>), Diagnostics> {
     if text.len() > LARGEST {
         let message =
             format!("the file has {} MB, at most {} are read", text.len() >> 20, LARGEST >> 20);
@@ -54,15 +57,30 @@ fn accepted(text: &str, file: &Path) -> Result<PlaceIndex, Diagnostics> {
         let d = Diagnostic::input("yaml/empty", "the file is empty").file(file);
         return Err(d.help("`bracket new` writes a starter").into());
     }
+    let scan = Scan::of(text);
+    if let Some(at) = scan.too_deep {
+        let before = &text[..at];
+        let column = before.rsplit('\n').next().map_or(0, |l| l.chars().count()) + 1;
+        return Err(too_deep().file(file).at(before.matches('\n').count() + 1, column).into());
+    }
+    let joined = scan.joined(text);
+    let text = &*joined;
     let outline = Outline::read(text).map_err(|e| {
         let d = from_serde(&e, &PlaceIndex::new(file), file);
-        if d.code == "yaml/syntax" { tab(text, file).unwrap_or(d) } else { d }
+        match d.code {
+            "yaml/syntax" => tab(text, file).unwrap_or(d),
+            "yaml/too-large" if !text.contains('*') => Diagnostic {
+                message: "the file has more than a million values".into(),
+                ..d.help("specs have some hundred; is this the right file?")
+            },
+            _ => d,
+        }
     })?;
     let index = PlaceIndex::read(text, file);
     let mut faults = Vec::new();
     outline.faults(&index, text, &mut faults);
     Diagnostics::refuse(faults)?;
-    Ok(index)
+    Ok((index, joined))
 }
 
 /// A document of keys and values that is not typed yet, so that it can extend another one.
@@ -76,8 +94,8 @@ pub struct Document {
 impl Document {
     /// Reads one document. Refuses what [`parse`] refuses for every type.
     pub fn read(text: &str, file: &Path) -> Result<Self, Diagnostics> {
-        let index = accepted(text, file)?;
-        let keys = serde_yaml::from_str(text).map_err(|e| from_serde(&e, &index, file))?;
+        let (index, text) = accepted(text, file)?;
+        let keys = serde_yaml::from_str(&text).map_err(|e| from_serde(&e, &index, file))?;
         Ok(Self { keys, index, file: file.to_path_buf() })
     }
 
@@ -223,8 +241,7 @@ fn from_serde(error: &serde_yaml::Error, index: &PlaceIndex, file: &Path) -> Dia
         return named(d.help("write the values out instead of `*alias`"), "");
     }
     if text.contains("recursion limit") {
-        let d = Diagnostic::input("yaml/too-deep", "the file is nested deeper than 128 levels");
-        return named(d.help("no input of this program needs more than 8 levels"), "");
+        return named(too_deep(), "");
     }
     if text.contains(outline::TAGGED) {
         let d = Diagnostic::input("yaml/tag", "YAML tags (`!name`) mean nothing here");
@@ -241,6 +258,11 @@ fn from_serde(error: &serde_yaml::Error, index: &PlaceIndex, file: &Path) -> Dia
         d = d.at(at.line(), at.column());
     }
     d
+}
+
+fn too_deep() -> Diagnostic {
+    Diagnostic::input("yaml/too-deep", "the file is nested deeper than 128 levels")
+        .help("no input of this program needs more than 8 levels")
 }
 
 /// Removes the trailing ` at line L column C`; the place is reported separately.

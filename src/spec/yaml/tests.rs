@@ -208,10 +208,44 @@ fn alias_bombs_are_refused() {
 
 #[test]
 fn deep_nesting_is_refused() {
-    for n in [200, 20_000] {
+    for n in [200, 100_000] {
         let text = format!("title: {}1{}", "[".repeat(n), "]".repeat(n));
         assert_eq!(read(&text).expect_err("deep").first().code, "yaml/too-deep");
     }
+}
+
+/// The reader of the crate takes minutes for brackets nested this deep, and does so within keys
+/// and lists too.
+#[test]
+fn deep_nesting_is_refused_before_it_is_read() {
+    for text in [
+        format!("title: {}", "[".repeat(100_000)),
+        format!("a: 1\nsizes: {}", "{x: ".repeat(100_000)),
+        format!("sizes: {}", "[a, ".repeat(100_000)),
+    ] {
+        let fault = read(&text).expect_err("deep").into_first();
+        assert_eq!(fault.code, "yaml/too-deep");
+        let line = 1 + usize::from(text.starts_with("a:"));
+        assert_eq!(fault.place.line, Some(line), "found by the first look at the characters");
+    }
+}
+
+#[test]
+fn a_long_list_is_not_blamed_on_aliases() {
+    let list = |entry: &str| format!("title: a\nsizes: [{}]\n", entry.repeat(1_100_000));
+    let fault = read(&list("1,")).expect_err("too many").into_first();
+    assert_eq!(fault.code, "yaml/too-large");
+    assert_eq!(fault.message, "the file has more than a million values");
+    let fault = read(&format!("x: &a 1\n{}", list("*a,"))).expect_err("too many").into_first();
+    assert!(fault.message.contains("aliases"), "{fault}");
+}
+
+/// JSON writes an emoji as two escapes.
+#[test]
+fn surrogate_pairs_are_one_character() {
+    let parsed = read(r#"title: "a \ud83d\ude00 b""#).expect("read");
+    assert_eq!(parsed.value.title, "a \u{1f600} b");
+    assert_eq!(read(r#"title: "\ud83d""#).expect_err("half a pair").first().code, "yaml/syntax");
 }
 
 #[test]
