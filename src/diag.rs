@@ -242,11 +242,26 @@ pub fn did_you_mean<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) ->
         .unwrap_or_default()
 }
 
+/// A number of the user in a message: in powers of ten where it would have hundreds of digits.
+pub fn number(x: f64) -> String {
+    let usual = x == 0.0 || !x.is_finite() || (1e-6..1e15).contains(&x.abs());
+    if usual { x.to_string() } else { format!("{x:e}") }
+}
+
 /// A text of the user for a terminal or a plain file. Control characters, which command a terminal,
-/// and marks that turn the direction of writing become the replacement character; line ends and
-/// tabs stay.
+/// marks that turn the direction of writing, and the line ends of Unicode become the replacement
+/// character; usual line ends and tabs stay.
 pub fn visible(text: &str) -> String {
-    let turns = |c: char| matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+    let turns = |c: char| {
+        matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}'
+            | '\u{2066}'..='\u{2069}')
+    };
     let commands = |c: char| c.is_control() && c != '\n' && c != '\t';
     text.chars().map(|c| if turns(c) || commands(c) { '\u{fffd}' } else { c }).collect()
+}
+
+/// A text of the user within a line of a terminal: as [`visible`], and no line end of it can make
+/// another line of the program's look.
+pub fn in_line(text: &str) -> String {
+    visible(text).replace(['\n', '\t'], " ")
 }

@@ -36,11 +36,12 @@ fn one(fault: &Diagnostic, colour: bool) -> String {
     let title = Level::ERROR.primary_title(message.as_str()).id(fault.code);
     let file = fault.place.file.as_ref().map(|f| visible(&f.display().to_string()));
     let excerpt = excerpt(&fault.place);
+    let label = fault.place.path.as_deref().map(visible);
     let mut group = title.elements(Vec::<annotate_snippets::Message>::new());
     match (&file, &excerpt) {
         (Some(file), Some(e)) => {
             let caret = AnnotationKind::Primary.span(e.span.clone());
-            let caret = match &fault.place.path {
+            let caret = match &label {
                 Some(path) => caret.label(path.as_str()),
                 None => caret,
             };

@@ -40,6 +40,28 @@ pub fn read(
     })
 }
 
+/// Reads a regular file. A device or a pipe is refused, because it may have no end.
+pub fn bytes(path: &Path) -> std::io::Result<Vec<u8>> {
+    let mut out = Vec::new();
+    regular(path)?.read_to_end(&mut out)?;
+    Ok(out)
+}
+
+/// Opens a regular file.
+pub fn regular(path: &Path) -> std::io::Result<File> {
+    // asked before it is opened, because that waits for the other end of a pipe
+    let meta = std::fs::metadata(path)?;
+    if !meta.is_file() {
+        let kind = if meta.is_dir() {
+            std::io::ErrorKind::IsADirectory
+        } else {
+            std::io::ErrorKind::InvalidInput
+        };
+        return Err(std::io::Error::new(kind, "it is not a regular file"));
+    }
+    File::open(path)
+}
+
 /// Reason and place at which bytes are not text.
 #[derive(Debug, PartialEq)]
 struct NotText {
@@ -184,6 +206,18 @@ mod tests {
         );
         assert!(refused(b"\xff\xfea\0\0\0".to_vec()).problem.contains("a zero among"));
         assert!(refused(b"PK\x03\x04\x00\x00".to_vec()).problem.contains("or no text"));
+    }
+
+    #[test]
+    #[cfg(unix)]
+    fn a_device_without_end_is_not_read() {
+        let e = bytes(Path::new("/dev/zero")).expect_err("no file");
+        assert_eq!(e.to_string(), "it is not a regular file");
+        let dir = tempfile::tempdir().expect("a folder");
+        assert!(bytes(dir.path()).is_err());
+        std::fs::write(dir.path().join("a"), "a").expect("written");
+        std::os::unix::fs::symlink("a", dir.path().join("link")).expect("linked");
+        assert_eq!(bytes(&dir.path().join("link")).expect("read"), b"a");
     }
 
     #[test]

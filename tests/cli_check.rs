@@ -5,6 +5,9 @@
 mod bench;
 #[path = "cli/check.rs"]
 mod check;
+#[cfg(feature = "pdf")]
+#[path = "cli/hostile_texts.rs"]
+mod hostile_texts;
 #[path = "cli/plate_dxf.rs"]
 mod plate_dxf;
 #[cfg(feature = "pdf")]

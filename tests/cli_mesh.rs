@@ -32,7 +32,10 @@ fn folder(spec: &str) -> tempfile::TempDir {
 #[test]
 fn writes_geometry_mesh_step_and_table_and_replaces_its_own_folder() {
     let dir = folder(LAP);
-    for _ in 0..2 {
+    for second in [false, true] {
+        if second {
+            std::fs::write(dir.path().join("lap/thesis.txt"), "years of work").expect("written");
+        }
         let run = bracket(dir.path(), None, &["mesh", "lap.json", "--format", "json", "--quiet"]);
         assert_eq!(run.status.code(), Some(0), "{}", String::from_utf8_lossy(&run.stderr));
         let json: serde_json::Value = serde_json::from_slice(&run.stdout).expect("JSON");
@@ -42,6 +45,7 @@ fn writes_geometry_mesh_step_and_table_and_replaces_its_own_folder() {
         for file in ["joint.geo", "joint.step", "mesh.msh", "quality.json", "quality.txt"] {
             assert!(files.iter().any(|f| f == file), "{file} in {files:?}");
         }
+        assert_eq!(files.iter().any(|f| f == "thesis.txt"), second, "files of the user stay");
     }
 }
 

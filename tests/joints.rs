@@ -14,6 +14,8 @@ mod invariance;
 mod preload;
 #[path = "joints/stiffness.rs"]
 mod stiffness;
+#[path = "joints/suggested_values.rs"]
+mod suggested_values;
 #[path = "joints/t_stubs_by_template.rs"]
 mod t_stubs_by_template;
 #[path = "joints/verdicts.rs"]

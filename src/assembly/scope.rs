@@ -1,12 +1,16 @@
 //! Names and their values during evaluation of a template: profiles, bolts, parameters,
 //! definitions, loop variables.
 
+mod settle;
+
 use super::error::AssemblyError;
 use super::template::{Default, Loop, Parameter, ParameterKind, Template};
 use crate::diag::{AtLeastOne, did_you_mean};
 use crate::spec::expr::{Expr, ExprError, Value};
 use crate::units::Dim;
+use settle::Pending;
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// A parameter's value and its origin, as printed in the report.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
@@ -48,8 +52,9 @@ struct Turn {
 /// All names of one evaluation.
 #[derive(Clone, Debug, std::default::Default)]
 pub struct Scope {
-    values: BTreeMap<String, Value>,
-    lists: BTreeMap<String, usize>,
+    /// Shared by the scopes of the turns of a loop.
+    values: Arc<BTreeMap<String, Value>>,
+    lists: Arc<BTreeMap<String, usize>>,
     turns: Vec<Turn>,
 }
 
@@ -65,7 +70,7 @@ pub enum Given {
 impl Scope {
     /// Sets a name.
     pub fn set(&mut self, name: impl Into<String>, value: Value) {
-        self.values.insert(name.into(), value);
+        Arc::make_mut(&mut self.values).insert(name.into(), value);
     }
 
     /// The value of a name.
@@ -178,16 +183,17 @@ impl Scope {
         for l in loops {
             let mut next = Vec::new();
             for scope in scopes {
-                for (index, value) in scope.loop_values(l)?.into_iter().enumerate() {
+                let values = scope.loop_values(l)?;
+                if next.len() + values.len() > MOST_TURNS {
+                    let message = format!("more than {MOST_TURNS} turns of nested loops");
+                    return Err(ExprError { message, text: l.each.clone(), span: 0..l.each.len() });
+                }
+                for (index, value) in values.into_iter().enumerate() {
                     let label =
                         l.labels.get(index).cloned().unwrap_or_else(|| (index + 1).to_string());
                     let mut s = scope.clone();
                     s.turns.push(Turn { name: l.each.clone(), value, label, index });
                     next.push(s);
-                }
-                if next.len() > MOST_TURNS {
-                    let message = format!("more than {MOST_TURNS} turns of nested loops");
-                    return Err(ExprError { message, text: l.each.clone(), span: 0..l.each.len() });
                 }
             }
             scopes = next;
@@ -245,10 +251,10 @@ impl Scope {
         // lengths of lists are known before any value, so that loops and `name.1` work in any order
         for p in &template.parameters {
             if let (false, Some(Default::Many(list))) = (given.contains_key(&p.name), &p.default) {
-                self.lists.insert(p.name.clone(), list.len());
+                Arc::make_mut(&mut self.lists).insert(p.name.clone(), list.len());
             }
         }
-        let mut pending = BTreeMap::new();
+        let mut pending = Pending::new();
         for p in template.parameters.iter().filter(|p| !given.contains_key(&p.name)) {
             match &p.default {
                 Some(Default::One(e)) => drop(pending.insert(p.name.clone(), (e, dim_of(p)))),
@@ -265,7 +271,7 @@ impl Scope {
         }
         let names: Vec<String> = pending.keys().cloned().collect();
         for name in names {
-            if let Err(e) = self.settle(&name, &pending, &mut Vec::new()) {
+            if let Err(e) = self.settle(&name, &pending) {
                 return Err(AssemblyError::Template { at: name, cause: e }.into());
             }
         }
@@ -317,42 +323,9 @@ impl Scope {
                 for (i, v) in list.iter().enumerate() {
                     self.set(format!("{name}.{}", i + 1), Value::length(*v));
                 }
-                self.lists.insert(name.to_owned(), list.len());
+                Arc::make_mut(&mut self.lists).insert(name.to_owned(), list.len());
             }
         }
-    }
-
-    fn settle(
-        &mut self,
-        name: &str,
-        pending: &BTreeMap<String, (&Expr, Option<Dim>)>,
-        stack: &mut Vec<String>,
-    ) -> Result<(), ExprError> {
-        if self.values.contains_key(name) {
-            return Ok(());
-        }
-        let Some((expr, dim)) = pending.get(name) else { return Ok(()) };
-        if let Some(i) = stack.iter().position(|n| n == name) {
-            let mut ring = stack[i..].to_vec();
-            ring.push(name.to_owned());
-            let message = format!("these values need each other: {}", ring.join(" -> "));
-            return Err(ExprError {
-                message,
-                text: expr.text().to_owned(),
-                span: 0..expr.text().len(),
-            });
-        }
-        stack.push(name.to_owned());
-        for n in expr.names() {
-            self.settle(n, pending, stack)?;
-        }
-        stack.pop();
-        let value = match dim {
-            Some(d) if *d == Dim::LENGTH => Value::length(self.length(expr)?),
-            _ => expr.eval(&mut |n| self.get(n))?,
-        };
-        self.set(name, value);
-        Ok(())
     }
 
     /// Smallest and largest value of a parameter, and the range in words.

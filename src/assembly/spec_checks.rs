@@ -65,7 +65,7 @@ fn numbers(spec: &ConnectionSpec, faults: &mut Vec<AssemblyError>) {
     let mut range = |path: &str, value: f64, ok: bool, range: &str| {
         if !ok {
             let name = path.to_owned();
-            let (value, range) = (value.to_string(), range.to_owned());
+            let (value, range) = (crate::diag::number(value), range.to_owned());
             faults.push(AssemblyError::OutOfRange { path: path.into(), name, value, range });
         }
     };

@@ -157,7 +157,7 @@ impl Filled {
             inline(&self.title),
             self.what
         );
-        out.push_str(&format!("| {} \\ {} |", self.row_path, self.column_path));
+        out.push_str(&format!("| {} \\ {} |", inline(&self.row_path), inline(&self.column_path)));
         self.columns.iter().for_each(|c| out.push_str(&format!(" {} |", inline(c))));
         out.push_str("\n| --- |");
         self.columns.iter().for_each(|_| out.push_str(" ---: |"));

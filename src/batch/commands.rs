@@ -23,9 +23,9 @@ use super::sweep_file::SweepFile;
 use super::sweep_folder::{SweepFolder, write_whole};
 use super::work_folder::clear_work;
 use crate::analysis::memory::room;
-use crate::diag::{Diagnostic, Diagnostics, ExitStatus};
+use crate::diag::{Diagnostic, Diagnostics, ExitStatus, visible};
 use crate::driver::interrupt::Interrupt;
-use crate::mesh::gmsh::Mesher;
+use crate::driver::meshing::find_mesher;
 use crate::report::console::log::Log;
 use crate::report::console::pace::about;
 use crate::report::figures::bracket as bracket_of;
@@ -75,8 +75,12 @@ pub struct RunOptions {
 }
 
 /// Version of the mesher; empty if no case is meshed.
-fn mesher_version(meshes: bool) -> Result<String, Diagnostics> {
-    Ok(if meshes { Mesher::find()?.version } else { String::new() })
+fn mesher_version(
+    meshes: bool,
+    interrupt: &Interrupt,
+    log: &Arc<Log>,
+) -> Result<String, Diagnostics> {
+    Ok(if meshes { find_mesher(interrupt, None, log)?.version } else { String::new() })
 }
 
 /// Plans a sweep into a folder.
@@ -84,11 +88,12 @@ pub fn plan(
     sweep: &Path,
     catalog: Option<&Path>,
     folder: &SweepFolder,
-    log: &Log,
+    interrupt: &Interrupt,
+    log: &Arc<Log>,
 ) -> Result<Plan, Diagnostics> {
     let start = Instant::now();
     let file = SweepFile::read(sweep, catalog)?;
-    let mesher = mesher_version(file.meshes())?;
+    let mesher = mesher_version(file.meshes(), interrupt, log)?;
     file.catalog
         .warnings()
         .iter()
@@ -126,9 +131,9 @@ pub fn run(
     interrupt: &Interrupt,
     log: &Arc<Log>,
 ) -> Result<(), Diagnostics> {
-    interrupt.begin(log, WHEN_INTERRUPTED, || {});
     let header = &plan.header;
-    let kit = header.kit(&mesher_version(header.meshes())?)?;
+    let kit = header.kit(&mesher_version(header.meshes(), interrupt, log)?)?;
+    interrupt.begin(log, WHEN_INTERRUPTED, || {});
     let part = Part::new(plan, &kit, options.shard);
     if header.first.is_some() {
         let start = Instant::now();
@@ -297,7 +302,7 @@ pub fn merge(plan: &Plan, folder: &SweepFolder, log: &Log) -> Result<Merge, Diag
         let _ = std::fs::remove_file(path.join(name));
     }
     if !markdown.is_empty() {
-        write_whole(&path.join(TABLES), markdown.join("\n").as_bytes())?;
+        write_whole(&path.join(TABLES), visible(&markdown.join("\n")).as_bytes())?;
     }
     let of_base = plan.header.expansion.base["project"]["title"].as_str();
     let sweep = &plan.header.sweep;

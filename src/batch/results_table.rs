@@ -9,6 +9,7 @@ use super::row::{LoadRow, Record};
 use super::screen::Kit;
 use super::spec_path::SpecPath;
 use crate::diag::Diagnostic;
+use crate::report::escaped::csv_cell;
 use rayon::prelude::*;
 use serde_json::{Map, Value, json};
 
@@ -170,28 +171,17 @@ pub fn csv(rows: &[Map<String, Value>]) -> Result<Vec<u8>, Box<Diagnostic>> {
     };
     let mut out = csv::Writer::from_writer(Vec::new());
     if let Some(first) = rows.first() {
-        out.write_record(first.keys()).map_err(|e| fault(e.to_string()))?;
+        out.write_record(first.keys().map(|k| csv_cell(k))).map_err(|e| fault(e.to_string()))?;
     }
     for row in rows {
         let cells = row.values().map(|v| match v {
             Value::Null => String::new(),
-            Value::String(s) if s.starts_with(['=', '+', '@', '\t', '\r']) => format!("'{s}"),
-            Value::String(s) if s.starts_with('-') && s.parse::<f64>().is_err() && formula(s) => {
-                format!("'{s}")
-            }
-            Value::String(s) => s.clone(),
+            Value::String(s) => csv_cell(s),
             other => other.to_string(),
         });
         out.write_record(cells).map_err(|e| fault(e.to_string()))?;
     }
     out.into_inner().map_err(|e| fault(e.to_string()))
-}
-
-/// True if a text behind a minus sign is no quantity such as `-43.2 kN m`.
-fn formula(text: &str) -> bool {
-    let plain = |c: char| c.is_ascii_alphanumeric() || " ./^".contains(c);
-    !(text[1..].trim_start().starts_with(|c: char| c.is_ascii_digit())
-        && text[1..].chars().all(plain))
 }
 
 /// The rows as JSON, one a line; values that are absent have no key.

@@ -250,7 +250,7 @@ impl Governing {
 
 impl Judgement {
     /// The verdict of a run in one line.
-    pub fn line(&self, code: u8) -> String {
+    pub fn line(&self, code: u8, meaning: Option<&str>) -> String {
         let governs = self.governing.as_ref().map_or_else(
             || format!("; {}", self.reason),
             |g| {
@@ -263,7 +263,7 @@ impl Judgement {
             self.verdict.words(),
             self.by_code.words(),
             self.by_analysis.words(),
-            exit_meaning(code)
+            meaning.unwrap_or_else(|| exit_meaning(code))
         )
     }
 }

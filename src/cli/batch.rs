@@ -121,15 +121,31 @@ fn planned(folder: &SweepFolder, log: &Log) -> Result<Plan, Diagnostics> {
 }
 
 /// Prints what became of a sweep as JSON if the user asked for it; returns its exit status.
-fn ended(merge: &Merge, folder: &SweepFolder, common: &Common) -> CommandResult {
+fn ended(
+    merge: &Merge,
+    folder: &SweepFolder,
+    common: &Common,
+    (interrupt, log): (&Interrupt, &Log),
+) -> CommandResult {
+    let status = after(merge.status, interrupt, log);
     if common.format == Format::Json {
         let mut all = merge.counts.json();
         all.insert("expected_and_not_so".into(), json!(merge.broken));
         all.insert("folder".into(), json!(folder.path()));
-        all.insert("exit_code".into(), json!(merge.status.code()));
+        all.insert("exit_code".into(), json!(status.code()));
         out::json(&all)?;
     }
-    Ok(merge.status)
+    Ok(status)
+}
+
+/// The exit status of a step: undecided after an interrupt, whatever is finished.
+fn after(status: ExitStatus, interrupt: &Interrupt, log: &Log) -> ExitStatus {
+    if !interrupt.asked() {
+        return status;
+    }
+    let status = ExitStatus::Undecided;
+    log.line(format!("exit code {}: interrupted; the same command continues", status.code()));
+    status
 }
 
 /// Runs `bracket batch`.
@@ -145,18 +161,18 @@ pub fn run(args: &BatchArgs, common: &Common) -> CommandResult {
             .into()),
         (None, Some(sweep)) => {
             let folder = folder_of(sweep, args.out.as_ref());
-            let plan = plan(sweep, args.catalog.folder(), &folder, &log)?;
+            let plan = plan(sweep, args.catalog.folder(), &folder, &interrupt, &log)?;
             let options = RunOptions {
                 shard: Shard::WHOLE,
                 jobs: jobs(args.jobs),
                 cache: args.cache.clone(),
             };
             run_sweep(&plan, &folder, options, &interrupt, &log)?;
-            ended(&merge(&plan, &folder, &log)?, &folder, common)
+            ended(&merge(&plan, &folder, &log)?, &folder, common, (&interrupt, &log))
         }
         (Some(Step::Plan { sweep, out, catalog }), _) => {
             let folder = folder_of(sweep, out.as_ref());
-            plan(sweep, catalog.folder(), &folder, &log)?;
+            plan(sweep, catalog.folder(), &folder, &interrupt, &log)?;
             log.line(format!("next: bracket batch run {}", folder.path().display()));
             Ok(ExitStatus::Ok)
         }
@@ -169,7 +185,7 @@ pub fn run(args: &BatchArgs, common: &Common) -> CommandResult {
             };
             let options = RunOptions { shard, jobs: jobs(*n), cache: cache.clone() };
             run_sweep(&plan, &folder, options, &interrupt, &log)?;
-            Ok(if interrupt.asked() { ExitStatus::Undecided } else { ExitStatus::Ok })
+            Ok(after(ExitStatus::Ok, &interrupt, &log))
         }
         (Some(Step::Status { folder }), _) => {
             let folder = SweepFolder::at(folder);
@@ -194,13 +210,32 @@ pub fn run(args: &BatchArgs, common: &Common) -> CommandResult {
             } else {
                 let dir = std::path::absolute(folder.path())
                     .unwrap_or_else(|_| folder.path().to_path_buf());
-                out::text(&array.script(&program, &dir))?;
+                out::data(&array.script(&program, &dir))?;
             }
             Ok(ExitStatus::Ok)
         }
         (Some(Step::Merge { folder }), _) => {
             let folder = SweepFolder::at(folder);
-            ended(&merge(&planned(&folder, &log)?, &folder, &log)?, &folder, common)
+            let merged = merge(&planned(&folder, &log)?, &folder, &log)?;
+            ended(&merged, &folder, common, (&interrupt, &log))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::sync::atomic::Ordering;
+
+    /// A finished case that is not OK, or one that failed, does not decide an interrupted sweep.
+    #[test]
+    fn an_interrupted_sweep_ends_with_3() {
+        for status in [ExitStatus::Ok, ExitStatus::NotOk, ExitStatus::Environment] {
+            let (interrupt, log) = (Interrupt::default(), Log::new(true));
+            assert_eq!(after(status, &interrupt, &log), status);
+            interrupt.flag().store(true, Ordering::Relaxed);
+            assert_eq!(after(status, &interrupt, &log), ExitStatus::Undecided);
+            assert!(log.text().ends_with("exit code 3: interrupted; the same command continues\n"));
         }
     }
 }

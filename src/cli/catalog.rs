@@ -2,7 +2,7 @@
 
 use super::common::{CommandResult, Common, Format};
 use crate::catalog::{BoltSize, Catalog, CatalogError, IProfile, NationalAnnex, Steel};
-use crate::diag::{Diagnostic, Diagnostics, ExitStatus, did_you_mean};
+use crate::diag::{Diagnostic, Diagnostics, ExitStatus, did_you_mean, in_line};
 use crate::driver::spec_file::catalog_warning;
 use crate::report::console::out;
 use clap::{Subcommand, ValueEnum};
@@ -68,7 +68,7 @@ pub fn run(args: &CatalogArgs, common: &Common) -> CommandResult {
     }
     .map_err(Diagnostic::from)?;
     for w in catalog.warnings() {
-        eprintln!("{}", catalog_warning(w));
+        out::remark(&catalog_warning(w));
     }
     match &args.action {
         None => kinds(&catalog, common)?,
@@ -364,14 +364,14 @@ fn show(catalog: &Catalog, name: &str, common: &Common) -> Result<(), Diagnostic
                 let at = &row["source"];
                 text += &format!(
                     "  source: {} line {}\n",
-                    at["file"].as_str().unwrap_or_default(),
+                    in_line(at["file"].as_str().unwrap_or_default()),
                     at["line"]
                 );
                 for (key, value) in with_source(row).iter().filter_map(Value::as_object).flatten() {
                     text += &format!(
                         "  table {}: {}\n",
                         key.replace('_', " "),
-                        value.as_str().unwrap_or_default()
+                        in_line(value.as_str().unwrap_or_default())
                     );
                 }
             }
@@ -385,7 +385,7 @@ fn values(kind: &str, row: &Value) -> String {
     let mut text = String::new();
     for (key, value) in row.as_object().into_iter().flatten().filter(|(key, _)| *key != "source") {
         let shown = match value {
-            Value::String(s) => s.clone(),
+            Value::String(s) => in_line(s),
             Value::Bool(b) => if *b { "yes" } else { "no" }.to_owned(),
             Value::Number(n) => format!("{} {}", n.as_f64().unwrap_or(f64::NAN), unit(kind, key))
                 .trim_end()

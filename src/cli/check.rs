@@ -3,6 +3,7 @@
 use super::catalog_options::CatalogOptions;
 use super::common::{CommandResult, Common};
 use crate::driver::check_spec::check_spec;
+use crate::driver::interrupt::Interrupt;
 use std::path::PathBuf;
 
 /// The code's checks, detailing, drawing and verdict by code, at once.
@@ -33,8 +34,13 @@ impl CheckArgs {
 
 /// Runs `bracket check`.
 pub fn run(args: &CheckArgs, common: &Common) -> CommandResult {
+    check(args, common, &Interrupt::watch()?)
+}
+
+/// One check, for `check` and `watch`.
+pub(super) fn check(args: &CheckArgs, common: &Common, interrupt: &Interrupt) -> CommandResult {
     let folder = args.folder();
-    let finished = check_spec(&args.spec, args.catalog.folder(), &folder, common.quiet);
+    let finished = check_spec(&args.spec, args.catalog.folder(), &folder, common.quiet, interrupt);
     let finished = finished.map_err(|mut faults| {
         // a report of an earlier input must not be taken for one of this input
         let report = folder.join("report.md");

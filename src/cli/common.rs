@@ -36,7 +36,7 @@ impl Common {
     /// Prints the result of a run as JSON if the user asked for it; returns the exit status.
     pub fn print_result(&self, finished: &Finished) -> CommandResult {
         if finished.written && self.format == Format::Json {
-            out::text(&finished.result.to_json().map_err(Diagnostic::from)?)?;
+            out::data(&finished.result.to_json().map_err(Diagnostic::from)?)?;
         }
         Ok(finished.status)
     }

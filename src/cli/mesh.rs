@@ -3,17 +3,16 @@
 use super::catalog_options::CatalogOptions;
 use super::common::{CommandResult, Common, Format};
 use crate::assembly::Assembly;
-use crate::diag::{Diagnostic, Diagnostics, ExitStatus};
+use crate::diag::{Diagnostic, Diagnostics, ExitStatus, number};
 use crate::driver::interrupt::Interrupt;
 use crate::driver::meshing;
-use crate::driver::output_folder::Folder;
 use crate::driver::spec_file;
 use crate::geometry::size::SizeRule;
-use crate::mesh::gmsh::Mesher;
 use crate::mesh::joint::{JointMesh, MeshOptions, mesh_joint, write_step};
 use crate::mesh::{msh_write, quality};
 use crate::report::console::log::Log;
 use crate::report::console::out;
+use crate::result::folder::{Content, ResultFolder};
 use crate::text_file;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -57,7 +56,7 @@ pub fn run(args: &MeshArgs, common: &Common) -> CommandResult {
         if !(value.is_finite() && value > 0.0 && value < 1e9) {
             let d = Diagnostic::input(
                 "cli/value",
-                format!("{name} is {value}, it must be above 0 and below 1e9"),
+                format!("{name} is {}, it must be above 0 and below 1e9", number(value)),
             );
             return Err(d
                 .help("leave the option out for its usual value: `bracket mesh --help`")
@@ -67,12 +66,13 @@ pub fn run(args: &MeshArgs, common: &Common) -> CommandResult {
     let interrupt = Interrupt::watch()?;
     let (assembly, layers, sizes, warnings) = load(args)?;
     let out = args.out.clone().unwrap_or_else(|| args.spec.with_extension(""));
-    let mesher = Mesher::find()?;
     let log = Arc::new(Log::new(common.quiet));
-    let folder = Folder::new(&out, MARK, "mesh")?;
+    let mesher = meshing::find_mesher(&interrupt, Some(args.time_limit), &log)?;
+    let content = Content::Files { mark: MARK, command: "mesh" };
+    let folder = ResultFolder::begin_with(&out, content)?;
     warnings.iter().for_each(|w| log.line(w));
     interrupt.begin(&log, "the mesher is stopped", folder.give_up());
-    let mut options = MeshOptions::new(&folder.aside);
+    let mut options = MeshOptions::new(folder.path());
     options.full = args.full;
     options.layers = layers && !args.no_layers;
     options.sizes = sizes;
@@ -81,16 +81,16 @@ pub fn run(args: &MeshArgs, common: &Common) -> CommandResult {
     options.interrupt = Some(interrupt.flag());
     let mut progress = |stage: &str| log.line(stage);
     let joint = mesh_joint(&assembly, &options, &mut progress)?;
-    msh_write::write(&joint.mesh, &folder.aside.join("mesh.msh"))?;
+    msh_write::write(&joint.mesh, &folder.path().join("mesh.msh"))?;
     if !args.no_step {
         progress("writing STEP");
-        write_step(&assembly, &options, &folder.aside.join("joint.step"))?;
+        write_step(&assembly, &options, &folder.path().join("joint.step"))?;
     }
     let table = quality::text(&joint.quality);
     let json = serde_json::to_string_pretty(&summary(&joint))
         .expect("plain numbers and strings serialise");
-    msh_write::write_whole(&folder.aside.join("quality.txt"), &table)?;
-    msh_write::write_whole(&folder.aside.join(MARK), &format!("{json}\n"))?;
+    msh_write::write_whole(&folder.path().join("quality.txt"), &table)?;
+    msh_write::write_whole(&folder.path().join(MARK), &format!("{json}\n"))?;
     interrupt.check("meshing")?;
     folder.finish()?;
     match common.format {
@@ -101,7 +101,7 @@ pub fn run(args: &MeshArgs, common: &Common) -> CommandResult {
             joint.mesh.nodes.len(),
             joint.copies
         ))?,
-        Format::Json => out::text(&format!("{json}\n"))?,
+        Format::Json => out::data(&format!("{json}\n"))?,
     }
     Ok(ExitStatus::Ok)
 }

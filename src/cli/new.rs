@@ -42,15 +42,15 @@ pub fn run(args: &NewArgs, common: &Common) -> CommandResult {
     };
     let text = starter(&template, &origin, &name, &catalog, &today())?;
     let Some(path) = &args.output else {
-        out::text(&text)?;
+        out::data(&text)?;
         return Ok(ExitStatus::Ok);
     };
     write_new(path, &text)?;
     if !common.quiet {
-        eprintln!(
-            "wrote {0}; check it with `bracket check {0}`, run it with `bracket run {0}`",
-            path.display()
-        );
+        let path = path.display();
+        out::remark(&format!(
+            "wrote {path}; check it with `bracket check {path}`, run it with `bracket run {path}`"
+        ));
     }
     Ok(ExitStatus::Ok)
 }

@@ -2,6 +2,8 @@
 
 use super::common::{CommandResult, Common, Format};
 use crate::diag::ExitStatus;
+use crate::driver::interrupt::Interrupt;
+use crate::report::console::log::Log;
 use crate::report::console::out;
 use crate::report::markdown::report_data::ReportData;
 use crate::report::printed;
@@ -10,6 +12,7 @@ use crate::report::sheet::{Extent, PDF_FILE};
 use crate::result::digests::{DIGESTS_FILE, Digests};
 use crate::spec::connection::Language;
 use std::path::PathBuf;
+use std::sync::Arc;
 
 /// Print the report of a finished result as PDF.
 #[derive(Debug, clap::Args)]
@@ -61,6 +64,7 @@ pub enum PaperArg {
 
 /// Runs `bracket report`.
 pub fn run(args: &ReportArgs, common: &Common) -> CommandResult {
+    let interrupt = Interrupt::watch()?;
     let mut data = ReportData::read(&args.folder)?;
     data.language = args.language.map_or(data.language, Language::from);
     let extent = if args.full { Extent::Full } else { Extent::Short };
@@ -71,6 +75,10 @@ pub fn run(args: &ReportArgs, common: &Common) -> CommandResult {
     let path = args.out.clone().unwrap_or_else(|| args.folder.join(PDF_FILE));
     let words = data.words();
     let bytes = printed::pdf(&data, &words, &args.folder, extent, paper)?;
+    // a moment in which a signal waits, so that no half of a file is left
+    let log = Arc::new(Log::new(true));
+    let part = printed::part(&path);
+    interrupt.begin(&log, "the report is written", move || _ = std::fs::remove_file(&part));
     printed::write(&path, &bytes)?;
     if args.out.is_none() {
         // the printed report is a file of the result
@@ -78,6 +86,9 @@ pub fn run(args: &ReportArgs, common: &Common) -> CommandResult {
             digests.set(PDF_FILE, &bytes);
             printed::write(&args.folder.join(DIGESTS_FILE), digests.text().as_bytes())?;
         }
+    }
+    if interrupt.asked() {
+        return Ok(ExitStatus::Undecided);
     }
     let english = words.unknown();
     match common.format {

@@ -36,7 +36,7 @@ pub struct SchemaArgs {
 
 /// Runs `bracket schema`.
 pub fn run(args: &SchemaArgs, _common: &Common) -> CommandResult {
-    out::text(&text(args.kind)?)?;
+    out::data(&text(args.kind)?)?;
     Ok(ExitStatus::Ok)
 }
 

@@ -45,6 +45,7 @@ pub struct StudyArgs {
 pub fn run(args: &StudyArgs, common: &Common) -> CommandResult {
     let limits = Limits::new(Solver::Condensed, args.memory_limit.as_deref())?;
     use_threads(common.threads)?;
+    let interrupt = limits.interrupt.clone();
     let options = StudyOptions {
         file: args.file.clone(),
         out: args.out.clone(),
@@ -61,6 +62,6 @@ pub fn run(args: &StudyArgs, common: &Common) -> CommandResult {
         Format::Text => out::text(&study.markdown())?,
         Format::Json => out::json(&study.rows)?,
     }
-    let certified = study.rows.iter().any(|r| r.gap.is_some());
+    let certified = study.rows.iter().any(|r| r.gap.is_some()) && !interrupt.asked();
     Ok(if certified { ExitStatus::Ok } else { ExitStatus::Undecided })
 }

@@ -4,7 +4,7 @@ use super::common::{CommandResult, Common, Format};
 use super::new::named_on_the_command_line;
 use crate::assembly::template::{self, Template};
 use crate::assembly::template_file::{self, SHIPPED};
-use crate::diag::{Diagnostics, ExitStatus};
+use crate::diag::{Diagnostics, ExitStatus, in_line};
 use crate::report::console::out;
 use serde_json::{Value, json};
 use std::path::Path;
@@ -28,14 +28,15 @@ pub fn run(args: &TemplatesArgs, common: &Common) -> CommandResult {
     let loaded = loaded.map_err(named_on_the_command_line)?;
     match (common.format, &args.name) {
         (Format::Json, None) => {
-            out::text(&format!("{}\n", Value::from_iter(loaded.iter().map(data))))?;
+            out::data(&format!("{}\n", Value::from_iter(loaded.iter().map(data))))?;
         }
         (Format::Json, Some(_)) => {
-            loaded.iter().try_for_each(|t| out::text(&format!("{}\n", data(t))))?;
+            loaded.iter().try_for_each(|t| out::data(&format!("{}\n", data(t))))?;
         }
         (Format::Text, None) => {
             let width = loaded.iter().map(|t| t.name.len()).max().unwrap_or(0);
-            let line = |t: &Template| format!("{:width$}  {}\n", t.name, t.title);
+            let line =
+                |t: &Template| format!("{:width$}  {}\n", in_line(&t.name), in_line(&t.title));
             out::text(&loaded.iter().map(line).collect::<String>())?;
         }
         (Format::Text, Some(_)) => loaded.iter().try_for_each(|t| out::text(&page(t)))?,
@@ -69,12 +70,12 @@ fn data(t: &Template) -> Value {
 }
 
 fn page(t: &Template) -> String {
-    let mut out = format!("{}: {}\n\n{}\n", t.name, t.title, t.about);
+    let mut out = format!("{}: {}\n\n{}\n", in_line(&t.name), in_line(&t.title), t.about);
     let mut table = |title: &str, rows: Vec<(&str, String)>| {
         let width = rows.iter().map(|(n, _)| n.len()).max().unwrap_or(0);
         out.push_str(&format!("\n{title}\n"));
         for (name, about) in rows {
-            out.push_str(&format!("  {name:width$}  {about}\n"));
+            out.push_str(&format!("  {:width$}  {}\n", in_line(name), in_line(&about)));
         }
     };
     table("Members", t.members.iter().map(|m| (m.role.as_str(), m.about.clone())).collect());

@@ -2,7 +2,8 @@
 //! mesh alone.
 
 use super::common::{CommandResult, Common, Format};
-use crate::diag::ExitStatus;
+use crate::diag::{ExitStatus, in_line};
+use crate::driver::interrupt::Interrupt;
 use crate::driver::verify_folder::{Verified, verify_folder};
 use crate::report::console::out;
 use crate::result::verify::Finding;
@@ -18,6 +19,8 @@ pub struct VerifyArgs {
 
 /// Runs `bracket verify`.
 pub fn run(args: &VerifyArgs, common: &Common) -> CommandResult {
+    // nothing is written, so that a signal ends the program at once
+    Interrupt::watch()?;
     let verified = verify_folder(&args.folder)?;
     let confirmed = verified.confirmed();
     match common.format {
@@ -42,13 +45,13 @@ fn page(verified: &Verified) -> String {
         text = "the result claims no bound\n".into();
     }
     for sentence in &verified.refuted {
-        text += &format!("REFUTED: {sentence}\n");
+        text += &format!("REFUTED: {}\n", in_line(sentence));
     }
     for what in &verified.recomputed {
-        text += &format!("recomputed: {what}\n");
+        text += &format!("recomputed: {}\n", in_line(what));
     }
     for what in &verified.recorded {
-        text += &format!("recorded, not recomputed: {what}\n");
+        text += &format!("recorded, not recomputed: {}\n", in_line(what));
     }
     text
 }

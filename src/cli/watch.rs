@@ -4,6 +4,8 @@
 use super::check::{self, CheckArgs};
 use super::common::{CommandResult, Common};
 use crate::diag_render;
+use crate::driver::interrupt::Interrupt;
+use crate::report::console::out;
 use std::io::{IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
@@ -24,16 +26,17 @@ type Stamps = Vec<(PathBuf, SystemTime, u64)>;
 
 /// Runs `bracket watch` until Ctrl-C.
 pub fn run(args: &WatchArgs, common: &Common) -> CommandResult {
+    let interrupt = Interrupt::watch()?;
     let mut before: Option<Stamps> = None;
     loop {
         let now = stamps(&args.check);
         if before.as_ref() != Some(&now) {
             if before.is_some() && !common.quiet {
-                eprintln!();
+                out::remark("");
             }
             // a spec that is being edited may be wrong for a while: report the fault and wait for
             // the next change
-            if let Err(faults) = check::run(&args.check, common) {
+            if let Err(faults) = check::check(&args.check, common, &interrupt) {
                 let mut stderr = std::io::stderr();
                 let text = diag_render::text(&faults, stderr.is_terminal());
                 // nobody reads the messages any more if standard error is closed
@@ -41,6 +44,7 @@ pub fn run(args: &WatchArgs, common: &Common) -> CommandResult {
                     return Ok(faults.exit_status());
                 }
             }
+            interrupt.begin_short(|| {});
             before = Some(now);
         }
         std::thread::sleep(EVERY);

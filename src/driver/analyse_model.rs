@@ -48,7 +48,7 @@ pub fn analyse_model(
     let parsed = yaml::parse::<ModelFile>(&text, path)?;
     let mut file = parsed.value;
     let mesh_path = path.parent().unwrap_or(Path::new("")).join(&file.mesh);
-    let mesh_bytes = std::fs::read(&mesh_path).map_err(|e| unread(&mesh_path, e))?;
+    let mesh_bytes = text_file::bytes(&mesh_path).map_err(|e| unread(&mesh_path, e))?;
     let log = Arc::new(Log::new(quiet));
     let folder = ResultFolder::begin(folder)?;
     limits.interrupt.begin(&log, WHEN_INTERRUPTED, folder.give_up());
@@ -116,7 +116,9 @@ pub fn remesh_model<'a>(
     let bisect =
         move |mesh| Box::new(ByBisection::new(&own, place, mesh)) as Box<dyn Remesh<'a> + 'a>;
     let large = mesh.tets.len() >= LEAST_FOR_METRIC;
-    let Some(remesher) = large.then(|| remesher(log)).flatten() else { return bisect(mesh) };
+    let Some(remesher) = large.then(|| remesher(&limits.interrupt, log)).flatten() else {
+        return bisect(mesh);
+    };
     let tools = Tools {
         remesher,
         dir: folder.join("mesher"),

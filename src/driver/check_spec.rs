@@ -3,6 +3,7 @@
 use crate::checks::verdict::Verdict;
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::driver::finish::{Analyses, Finished, finish};
+use crate::driver::interrupt::Interrupt;
 use crate::driver::spec_checks;
 use crate::driver::spec_context::{self, spec_context};
 use crate::driver::spec_file;
@@ -14,11 +15,13 @@ use std::path::Path;
 
 /// Checks a spec and writes report and drawings into `folder`. `catalog` is a catalogue folder that
 /// takes precedence over that of the spec. With `quiet`, nothing is written to standard error.
+/// An interrupt ends the program at once and leaves nothing.
 pub fn check_spec(
     spec: &Path,
     catalog: Option<&Path>,
     folder: &Path,
     quiet: bool,
+    interrupt: &Interrupt,
 ) -> Result<Finished, Diagnostics> {
     let input = spec_file::read(spec, catalog)?;
     spec_checks::check_input(&input, &[])?;
@@ -26,6 +29,7 @@ pub fn check_spec(
     let log = Log::new(quiet);
     input.catalog.warnings().iter().for_each(|w| log.line(spec_file::catalog_warning(w)));
     let folder = ResultFolder::begin(folder)?;
+    interrupt.begin_short(folder.give_up());
     let mut context = spec_context(spec, &input, checks)?;
     // the end plate as passed to the checks contains the values of the catalogue and the template
     let seen = serde_json::to_string(&input.joint.end_plate).map_err(|e| {

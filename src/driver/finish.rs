@@ -3,9 +3,10 @@
 
 use crate::checks::verdict::Verdict;
 use crate::checks::{Analysed, HandChecks, judge};
-use crate::diag::{Diagnostic, Diagnostics, ExitStatus};
+use crate::diag::{Diagnostic, Diagnostics, ExitStatus, in_line};
 use crate::driver::context::RunContext;
 use crate::driver::demands::CaseDemand;
+use crate::driver::interrupt::Interrupt;
 use crate::report::console::answer::answer;
 use crate::report::console::log::Log;
 use crate::report::draw::dxf::DXF_FILE;
@@ -29,8 +30,8 @@ use crate::spec::analysis::AnalysisKind;
 /// The data that the analyses of a run leave. The default describes a run without analyses.
 #[derive(Default)]
 pub struct Analyses {
-    /// The user ended the run.
-    pub interrupted: bool,
+    /// The user's request to stop.
+    pub interrupt: Interrupt,
     /// Pictures in the folder.
     pub pictures: Vec<PictureRef>,
     /// Meshes and fields for the 3-D view.
@@ -61,9 +62,11 @@ pub fn finish(
     log: &Log,
 ) -> Result<Finished, Diagnostics> {
     judge_result(&mut result, &mut context.checks, &context.demands);
-    let status = exit_status(&result);
-    let interrupted = analyses.interrupted;
+    let interrupt = analyses.interrupt.clone();
     let result = write(result, context, analyses, &folder, log)?;
+    // a request while the report was written counts too
+    let interrupted = interrupt.asked();
+    let status = if interrupted { ExitStatus::Undecided } else { exit_status(&result) };
     for c in &result.cases {
         log.line(answer(c));
     }
@@ -78,7 +81,10 @@ pub fn finish(
     }
     // the file contains the last lines too; the terminal shows them once the folder is complete
     let path = folder.target().join("report.md");
-    let last = [format!("result: {}", path.display()), verdict_line(&result, status)];
+    let last = [
+        format!("result: {}", path.display()),
+        in_line(&verdict_line(&result, status, interrupted)),
+    ];
     last.iter().for_each(|line| log.detail(line));
     folder.write("log.txt", log.text().as_bytes())?;
     folder.finish()?;
@@ -149,18 +155,22 @@ fn write(
     Ok(data.result)
 }
 
+/// Meaning of the exit code after an interrupt. The verdict beside it is that of the work so far.
+pub const INTERRUPTED: &str = "interrupted";
+
 /// The verdict with the exit code and its meaning: the last line of the log.
-fn verdict_line(result: &ResultFile, status: ExitStatus) -> String {
+fn verdict_line(result: &ResultFile, status: ExitStatus, interrupted: bool) -> String {
     let code = status.code();
+    let interrupted = interrupted.then_some(INTERRUPTED);
     if let Some(judgement) = &result.judgement {
-        return judgement.line(code);
+        return judgement.line(code, interrupted);
     }
-    let meaning = match status {
+    let meaning = interrupted.unwrap_or(match status {
         ExitStatus::NotOk => "a check that needs no load fails",
         ExitStatus::Undecided => "no certificate within the limits",
         _ if result.cases.is_empty() => "there was nothing to judge",
         _ => "certified",
-    };
+    });
     format!(
         "verdict: {} (no load is a demand); exit code {code}: {meaning}",
         result.verdict.words()

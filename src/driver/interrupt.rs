@@ -27,8 +27,8 @@ pub struct Interrupt {
 struct Work {
     /// A weak reference, because dropping the log clears the terminal at the end of the run.
     log: Weak<Log>,
-    /// Effect of the first signal, for the log.
-    now: &'static str,
+    /// Effect of the first signal, for the log; `None`: it ends the program at once.
+    now: Option<&'static str>,
     last_words: LastWords,
 }
 
@@ -46,8 +46,21 @@ impl Interrupt {
     /// Marks the begin of the work. From then on the first signal only requests the end of the work
     /// and logs its effect (`now`); the second one ends the program after `last_words`.
     pub fn begin(&self, log: &Arc<Log>, now: &'static str, last_words: impl Fn() + Send + 'static) {
+        let now = Some(now);
         let work = Work { log: Arc::downgrade(log), now, last_words: Box::new(last_words) };
         *self.work.lock().unwrap_or_else(PoisonError::into_inner) = Some(work);
+    }
+
+    /// Marks the begin of work that a signal ends at once, after `last_words`.
+    pub fn begin_short(&self, last_words: impl Fn() + Send + 'static) {
+        let work = Work { log: Weak::new(), now: None, last_words: Box::new(last_words) };
+        *self.work.lock().unwrap_or_else(PoisonError::into_inner) = Some(work);
+    }
+
+    /// Marks the end of a piece of work: until the next one begins, a signal ends the program at
+    /// once.
+    pub fn pause(&self) {
+        *self.work.lock().unwrap_or_else(PoisonError::into_inner) = None;
     }
 
     /// Set once the user has asked to stop.
@@ -129,28 +142,35 @@ impl Interrupt {
         const ECHO: std::time::Duration = std::time::Duration::from_millis(300);
         let work = self.work.lock().unwrap_or_else(PoisonError::into_inner);
         let Some(work) = &*work else {
-            // standard error may be closed
-            let _ = std::io::Write::write_all(
-                &mut std::io::stderr(),
-                b"interrupted: nothing was written\n",
-            );
-            std::process::exit(ExitStatus::Undecided.code().into());
+            end("interrupted: nothing was written\n");
+        };
+        let Some(now) = work.now else {
+            (work.last_words)();
+            end("interrupted\n");
         };
         match first {
             None => {
                 *first = Some(std::time::Instant::now());
                 self.flag.store(true, Ordering::Relaxed);
                 if let Some(log) = work.log.upgrade() {
-                    log.line(format!("interrupted: {}; interrupt again to stop at once", work.now));
+                    log.line(format!("interrupted: {now}; interrupt again to stop at once"));
                 }
             }
             Some(at) if at.elapsed() < ECHO => {}
             Some(_) => {
                 (work.last_words)();
-                std::process::exit(ExitStatus::Undecided.code().into());
+                end("");
             }
         }
     }
+}
+
+/// Ends the program with exit code 3.
+#[cfg(unix)]
+fn end(words: &str) -> ! {
+    // standard error may be closed
+    let _ = std::io::Write::write_all(&mut std::io::stderr(), words.as_bytes());
+    std::process::exit(ExitStatus::Undecided.code().into())
 }
 
 /// The mask of ignored signals in the text of `/proc/self/status`; 0 if it is missing.

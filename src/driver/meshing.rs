@@ -1,16 +1,17 @@
 //! The mesh of a spec's joint.
 
-use crate::diag::{Diagnostic, Diagnostics};
+use crate::diag::{Diagnostic, Diagnostics, number};
 use crate::driver::interrupt::Interrupt;
 use crate::driver::spec_file::SpecFile;
 use crate::geometry::size::{HALF_THICKNESS, SizeRule};
-use crate::mesh::gmsh::Mesher;
+use crate::mesh::gmsh::{Mesher, Until};
 use crate::mesh::joint::{JointMesh, MeshOptions, mesh_joint};
 use crate::mesh::quality::BodyQuality;
 use crate::report::console::log::Log;
 use crate::report::markdown::report_data::Table;
 use crate::spec::analysis::{AnalysisKind, MeshSize, MeshSpec};
 use std::path::Path;
+use std::sync::Arc;
 use std::time::Duration;
 
 /// Part of the joint that is meshed, and fineness of the mesh.
@@ -29,7 +30,7 @@ impl Extent {
         if factor.is_finite() && (0.05..=20.0).contains(&factor) {
             return Ok(());
         }
-        let text = format!("--size-factor is {factor}, it must be between 0.05 and 20");
+        let text = format!("--size-factor is {}, it must be between 0.05 and 20", number(factor));
         let help = "1 is the usual size; 0.7 takes about twice the elements, 1.4 half of them";
         Err(Diagnostic::input("cli/value", text).help(help).into())
     }
@@ -45,6 +46,21 @@ pub fn sizes(asked: &MeshSpec, kinds: &[AnalysisKind], size_factor: f64) -> Size
     } else {
         even
     }
+}
+
+/// Searches for the mesher and asks for its version. A signal or the time limit of the run \[s\]
+/// ends the question, and the process that was asked.
+pub fn find_mesher(
+    interrupt: &Interrupt,
+    limit: Option<f64>,
+    log: &Arc<Log>,
+) -> Result<Mesher, Diagnostics> {
+    interrupt.begin(log, "the mesher stops now", || {});
+    let (flag, limit) = (interrupt.flag(), limit.map(|t| Duration::from_secs_f64(t.min(600.0))));
+    let found = Mesher::find_until(Until { limit, interrupt: Some(&flag) });
+    interrupt.pause();
+    interrupt.check("looking for the mesher")?;
+    Ok(found?)
 }
 
 /// The options of the mesher, which works in its own folder below `folder`.

@@ -15,7 +15,6 @@ pub mod interrupt;
 pub mod limits;
 pub mod memory_limit;
 pub mod meshing;
-pub mod output_folder;
 pub mod pass_entry;
 pub mod pass_run;
 pub mod passes;

@@ -3,8 +3,10 @@
 
 use crate::assembly::Assembly;
 use crate::diag::{Diagnostic, Diagnostics, Place};
+use crate::driver::interrupt::Interrupt;
 use crate::driver::meshing::{clean, quality_table};
 use crate::math::mandel::Mandel;
+use crate::mesh::gmsh::Until;
 use crate::mesh::joint::{MeshOptions, mesh_joint};
 use crate::mesh::mmg::Remesher;
 use crate::mesh::size_field::{Edges, FILLING, SizeField};
@@ -46,8 +48,9 @@ pub trait Remesh<'a> {
 }
 
 /// Mmg, if it is installed; otherwise the log says what is used in its place.
-pub fn remesher(log: &Log) -> Option<Remesher> {
-    match Remesher::find() {
+pub fn remesher(interrupt: &Interrupt, log: &Log) -> Option<Remesher> {
+    let flag = interrupt.flag();
+    match Remesher::find_until(Until { limit: None, interrupt: Some(&flag) }) {
         Ok(remesher) => Some(remesher),
         Err(error) => {
             log.line(format!("the mesh is refined by bisection: {error}"));

@@ -80,25 +80,32 @@ pub fn run_cases(
         let best = lower.as_ref().unwrap_or(&upper);
         judge_case(&mut entry, &upper, direction.is_some(), &context);
         let maps = add_forces(&mut entry, best, &context, stem, &folder)?;
-        let pictures = &mut analyses.pictures;
-        if pictures.is_empty() {
-            pictures.extend(mesh_pictures(&upper.model, &context.mirror, &folder)?);
-            if let Some((_, _, quality)) = &upper.made {
-                context.mesh_quality = quality.clone();
-            }
+        if let Some((_, _, quality)) = &upper.made
+            && analyses.pictures.is_empty()
+        {
+            context.mesh_quality = quality.clone();
         }
-        let names = (asked[i].as_str(), stem);
-        pictures.extend(collapse_pictures(&upper, best, names, &context.mirror, &folder)?);
-        let stress = lower_stress(&best.outcome, &entry);
-        add_case(&mut analyses.scene, &asked[i], &upper, best, stress);
-        pictures.extend(deformed_picture(
-            &upper.outcome,
-            &asked[i],
-            &upper.model,
-            &context.mirror,
-            stem,
-            &folder,
-        )?);
+        let pictures = &mut analyses.pictures;
+        // they take seconds on large meshes, and none of them is part of a certificate
+        if !limits.interrupt.asked() {
+            if pictures.is_empty() {
+                pictures.extend(mesh_pictures(&upper.model, &context.mirror, &folder)?);
+            }
+            let names = (asked[i].as_str(), stem);
+            pictures.extend(collapse_pictures(&upper, best, names, &context.mirror, &folder)?);
+            let stress = lower_stress(&best.outcome, &entry);
+            add_case(&mut analyses.scene, &asked[i], &upper, best, stress);
+        }
+        if !limits.interrupt.asked() {
+            pictures.extend(deformed_picture(
+                &upper.outcome,
+                &asked[i],
+                &upper.model,
+                &context.mirror,
+                stem,
+                &folder,
+            )?);
+        }
         pictures.extend(maps);
         pictures.extend(convergence(&entry, context.adapt.map(|a| a.target_gap), stem, &folder)?);
         if let (Some(directions), Some(direction)) = (&mut directions, direction) {
@@ -115,7 +122,7 @@ pub fn run_cases(
             PictureRef { file: "polygon.svg".into(), caption: format!("Capacity in {a} and {b}") },
         );
     }
-    analyses.interrupted = limits.interrupt.asked();
+    analyses.interrupt = limits.interrupt.clone();
     finish(result, context, analyses, folder, log)
 }
 

@@ -6,13 +6,12 @@ use crate::driver::context::RunContext;
 use crate::driver::demands::{CaseDemand, demands};
 use crate::driver::finish::Finished;
 use crate::driver::limits::{Limits, WHEN_INTERRUPTED};
-use crate::driver::meshing::{Extent, mesh, mesh_options, quality_table};
+use crate::driver::meshing::{Extent, find_mesher, mesh, mesh_options, quality_table};
 use crate::driver::run_cases::run_cases;
 use crate::driver::spec_cases::{cases, give_remesh};
 use crate::driver::spec_checks::{analysis_kinds, check_input};
 use crate::driver::spec_context::{own_rows, spec_checks, spec_context};
 use crate::driver::spec_file::{self, SpecFile};
-use crate::mesh::gmsh::Mesher;
 use crate::mesh::joint::JointMesh;
 use crate::mesh::msh_write;
 use crate::refine::plan;
@@ -57,10 +56,10 @@ pub fn run_spec(run: &SpecRun, mut limits: Limits) -> Result<Finished, Diagnosti
     };
     check_input(&input, &kinds)?;
     let checks = spec_checks(&input);
-    let mesher = Mesher::find()?;
     let asked = &input.spec.value.analysis;
     limits.time = asked.time_limit.map(|t| t.0);
     let log = Arc::new(Log::new(run.quiet));
+    let mesher = find_mesher(&limits.interrupt, limits.time, &log)?;
     let folder = ResultFolder::begin(&run.folder)?;
     limits.interrupt.begin(&log, WHEN_INTERRUPTED, folder.give_up());
     input.catalog.warnings().iter().for_each(|w| log.line(spec_file::catalog_warning(w)));
@@ -83,7 +82,7 @@ pub fn run_spec(run: &SpecRun, mut limits: Limits) -> Result<Finished, Diagnosti
         .polygon
         .as_ref()
         .filter(|_| matches!(run.kind, None | Some(AnalysisKind::Limit)));
-    let mut cases = cases(&input, &meshed, &kinds, polygon, mesh_seconds)?;
+    let mut cases = cases(&input, &meshed, &kinds, polygon, mesh_seconds, &limits.interrupt)?;
     let max_passes = run.max_passes.unwrap_or(asked.max_passes);
     if max_passes > 1 {
         give_remesh(&mut cases, &input, &options, &meshed, &place);

@@ -2,6 +2,7 @@
 
 use crate::diag::Diagnostics;
 use crate::driver::case::Case;
+use crate::driver::interrupt::Interrupt;
 use crate::driver::remesh::{ByMap, Places};
 use crate::driver::spec_file::SpecFile;
 use crate::mesh::joint::{JointMesh, MeshOptions};
@@ -18,6 +19,7 @@ pub fn cases<'a>(
     kinds: &[AnalysisKind],
     polygon: Option<&PolygonSpec>,
     mesh_seconds: f64,
+    interrupt: &Interrupt,
 ) -> Result<Vec<Case<'a>>, Diagnostics> {
     let loads = &input.spec.value.loads;
     let of_polygon = |name: &String| loads.iter().any(|l| l.of_polygon && l.name == *name);
@@ -29,6 +31,7 @@ pub fn cases<'a>(
         .chain(directions.iter().map(|d| (&d.case, AnalysisKind::Limit, false)))
         .enumerate()
         .map(|(i, (name, kind, again))| {
+            interrupt.check("reading the cases")?;
             let assembly = &input.joint.assembly;
             let mut file = from_joint::model_file(
                 assembly,

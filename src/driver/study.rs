@@ -1,19 +1,19 @@
 //! The study of speed against error: compares uniform and adaptive meshes and solvers.
 
 use crate::analysis::memory::forget_peak;
-use crate::diag::{Diagnostic, Diagnostics};
+use crate::diag::{Diagnostic, Diagnostics, ExitStatus, number};
 use crate::driver::adaptive;
 use crate::driver::case::Case;
 use crate::driver::context::RunContext;
+use crate::driver::finish::INTERRUPTED;
+use crate::driver::interrupt::Interrupt;
 use crate::driver::limits::Limits;
-use crate::driver::meshing::{Extent, mesh, mesh_options};
-use crate::driver::output_folder::Folder;
+use crate::driver::meshing::{Extent, find_mesher, mesh, mesh_options};
 use crate::driver::passes::Share;
 use crate::driver::remesh::{ByBisection, Places};
 use crate::driver::spec_cases::{cases, give_remesh};
 use crate::driver::spec_checks::{analysis_kinds, check_input};
 use crate::driver::spec_file::{self, SpecFile};
-use crate::mesh::gmsh::Mesher;
 use crate::mesh::joint::MeshOptions;
 use crate::mesh::{TetMesh, bisect, merge, msh};
 use crate::model::file::{ModelFile, Nodes};
@@ -22,6 +22,7 @@ use crate::refine::plan;
 use crate::report::console::log::Log;
 use crate::report::study::MARK;
 use crate::result::file_names::file_stem;
+use crate::result::folder::{Content, ResultFolder};
 use crate::result::study::{Meshes, Study, study_rows};
 use crate::solve::{Patterns, Solver};
 use crate::spec::analysis::{AnalysisKind, AnalysisSpec};
@@ -68,6 +69,7 @@ struct Spec<'a> {
     kinds: Vec<AnalysisKind>,
     options: MeshOptions,
     place: Places<'a>,
+    interrupt: &'a Interrupt,
     log: &'a Log,
 }
 
@@ -90,7 +92,7 @@ impl Source for Spec<'_> {
         options.sizes.factor *= FINER.powi(level as i32);
         let meshed = mesh(&options, self.input, self.log)?;
         let seconds = start.elapsed().as_secs_f64();
-        let mut cases = cases(self.input, &meshed, &self.kinds, None, seconds)?;
+        let mut cases = cases(self.input, &meshed, &self.kinds, None, seconds, self.interrupt)?;
         if adaptive {
             give_remesh(&mut cases, self.input, &options, &meshed, self.place);
         }
@@ -135,7 +137,7 @@ fn check(options: &StudyOptions) -> Result<(), Diagnostics> {
     Extent { full: false, size_factor: options.size_factor }.check()?;
     if let Some(g) = options.target_gap.filter(|g| !(*g > 0.0 && *g < 1.0)) {
         return wrong(
-            format!("--target-gap is {g}, it must lie between 0 and 1"),
+            format!("--target-gap is {}, it must lie between 0 and 1", number(g)),
             "write a fraction such as 0.02",
         );
     }
@@ -171,8 +173,9 @@ pub fn run_study(options: &StudyOptions, mut limits: Limits) -> Result<Study, Di
     let log = Arc::new(Log::new(options.quiet));
     let defaults = AnalysisSpec::default();
     let is_model = yaml::top_level(&text, "mesh") && yaml::top_level(&text, "bodies");
-    let begin = |limits: &Limits| -> Result<Folder, Diagnostics> {
-        let folder = Folder::new(&target, MARK, "study")?;
+    let begin = |limits: &Limits| -> Result<ResultFolder, Diagnostics> {
+        let content = Content::Files { mark: MARK, command: "study" };
+        let folder = ResultFolder::begin_with(&target, content)?;
         limits.interrupt.begin(&log, WHEN_INTERRUPTED, folder.give_up());
         Ok(folder)
     };
@@ -200,9 +203,9 @@ pub fn run_study(options: &StudyOptions, mut limits: Limits) -> Result<Study, Di
         let input = spec_file::read(&options.file, None)?;
         let kinds = analysis_kinds(&input)?;
         check_input(&input, &kinds)?;
-        let mesher = Mesher::find()?;
         let asked = &input.spec.value.analysis;
         limits.time = asked.time_limit.map(|t| t.0);
+        let mesher = find_mesher(&limits.interrupt, limits.time, &log)?;
         let ends = plan::Limits {
             target_gap: asked.target_gap,
             max_passes: asked.max_passes,
@@ -215,15 +218,26 @@ pub fn run_study(options: &StudyOptions, mut limits: Limits) -> Result<Study, Di
             &kinds,
             &mesher,
             &limits.interrupt,
-            &folder.aside,
+            folder.path(),
         );
         let place = |path: &str| input.spec.index.place(path);
-        let source = Spec { input: &input, kinds, options: mesh_options, place: &place, log: &log };
+        let interrupt = limits.interrupt.clone();
+        let source = Spec {
+            input: &input,
+            kinds,
+            options: mesh_options,
+            place: &place,
+            interrupt: &interrupt,
+            log: &log,
+        };
         (study(options, &source, ends, &mut limits, &log)?, folder)
     };
-    study.write(&folder.aside)?;
+    study.write(folder.path())?;
     folder.finish()?;
     log.line(format!("study: {}", target.join("study.md").display()));
+    if limits.interrupt.asked() {
+        log.line(format!("exit code {}: {INTERRUPTED}", ExitStatus::Undecided.code()));
+    }
     Ok(study)
 }
 
@@ -254,7 +268,11 @@ fn study(
             if limits.interrupt.asked() {
                 break;
             }
-            let cases = source.cases(level.unwrap_or(0), level.is_none())?;
+            let cases = match source.cases(level.unwrap_or(0), level.is_none()) {
+                // the rows so far are worth more than the reason why the mesher stopped
+                Err(_) if limits.interrupt.asked() && !rows.is_empty() => break,
+                cases => cases?,
+            };
             let tets = cases.first().map_or(0, |c| c.model.mesh.tets.len());
             if level > Some(0) && tets > ends.max_macro_tets {
                 log.line(format!(

@@ -1,6 +1,6 @@
 //! Faults of a joint's geometry found before meshing.
 
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, number};
 
 /// Descriptions of two parts, with their identifiers.
 pub type Pair = [String; 2];
@@ -74,7 +74,7 @@ pub enum GeometryError {
         what: String,
     },
     /// A dimension that is not a positive, finite number.
-    #[error("the {part} has {what} of {value}, which must be a finite number above 0")]
+    #[error("the {part} has {what} of {}, which must be a finite number above 0", number(*value))]
     Dimension {
         /// Description of the part.
         part: String,
@@ -83,6 +83,21 @@ pub enum GeometryError {
         /// Its value.
         value: f64,
     },
+}
+
+impl GeometryError {
+    /// Kind and size of a fault of two parts: faults with the same cause have one remedy.
+    pub fn cause(&self) -> Option<String> {
+        match self {
+            Self::Clash { depth, .. } => Some(format!("overlap {depth:.3}")),
+            Self::Sliver { gap, .. } => Some(format!("gap {gap:.3}")),
+            Self::Apart { gap, .. } => Some(format!("apart {gap:.3}")),
+            Self::Clearance { distance, min, reason, .. } => {
+                Some(format!("clearance {distance:.1} {min:.1} {reason}"))
+            }
+            Self::Name { .. } | Self::Dimension { .. } => None,
+        }
+    }
 }
 
 fn point(p: &[f64; 3]) -> String {

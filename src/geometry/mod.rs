@@ -1,6 +1,7 @@
 //! Solids → a CAD script for the mesher, exact volumes and contact areas, and checks of clashes and
 //! clearances.
 
+mod boxes;
 pub mod error;
 pub mod exact;
 #[cfg(test)]

@@ -5,6 +5,7 @@
 //! element size spoil its mesh. parry finds the close pairs. The overlap of material is then
 //! computed from the solids themselves, so that a bolt in its hole is not a clash.
 
+use super::boxes::Boxes;
 use super::error::GeometryError;
 use super::flat::{Bounds, FlatSolid};
 use super::line::{Line, intersect};
@@ -15,12 +16,17 @@ use crate::math::vec3::V3;
 use parry3d_f64::math::{Pose, Vector};
 use parry3d_f64::query;
 use parry3d_f64::shape::ConvexPolyhedron;
+use std::cell::Cell;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Largest overlap that still counts as contact \[mm\].
 pub const TOUCH: f64 = 1e-3;
 
 /// Gaps between `TOUCH` and this value are rejected \[mm\].
 pub const SMALLEST_GAP: f64 = 1.0;
+
+/// Rounding error of a distance \[mm\]: a gap of 1 mm is not below 1 mm.
+const ROUNDING: f64 = 1e-9;
 
 /// Number of lines per direction that search for overlapping material. They are quasi-random, so
 /// that no regular pattern of features falls between them.
@@ -41,6 +47,8 @@ struct Checked<'a> {
     solid: FlatSolid,
     bounds: Bounds,
     pieces: Vec<Piece>,
+    /// The boxes of the pieces.
+    boxes: Boxes,
 }
 
 /// Checks names, clashes, gaps, contacts and clearances, and reports all faults at once. `None` if
@@ -50,63 +58,112 @@ pub fn check(assembly: &Assembly, stop: &dyn Fn() -> bool) -> Option<Result<(), 
     if faults.is_empty() {
         faults = proximity_faults(assembly, stop)?;
     }
-    Some(Diagnostics::refuse(faults.into_iter().map(Diagnostic::from).collect()))
+    Some(Diagnostics::refuse(grouped(faults)))
+}
+
+/// One message for faults of one kind and size: the same dimension moves the bolts of all rows.
+fn grouped(faults: Vec<GeometryError>) -> Vec<Diagnostic> {
+    let mut out: Vec<(Option<String>, Diagnostic, usize)> = Vec::new();
+    for fault in faults {
+        let cause = fault.cause();
+        match out.iter_mut().find(|o| cause.is_some() && o.0 == cause) {
+            Some((_, _, more)) => *more += 1,
+            None => out.push((cause, fault.into(), 0)),
+        }
+    }
+    let word = |(_, mut d, more): (Option<String>, Diagnostic, usize)| {
+        if more > 0 {
+            d.message +=
+                &format!(" (and {more} more {} alike)", if more > 1 { "pairs" } else { "pair" });
+        }
+        d
+    };
+    out.into_iter().map(word).collect()
 }
 
 fn proximity_faults(assembly: &Assembly, stop: &dyn Fn() -> bool) -> Option<Vec<GeometryError>> {
-    let parts: Vec<Checked> = assembly.parts.iter().map(prepare).collect();
-    let mut faults = Vec::new();
-    for (i, a) in parts.iter().enumerate() {
-        for b in &parts[i + 1..] {
-            if !a.bounds.near(&b.bounds, SMALLEST_GAP) {
+    let search = Search { stop, pairs: Cell::new(0) };
+    search.faults(assembly)
+}
+
+/// A search for faults, which ends without an answer when it is stopped.
+struct Search<'a> {
+    /// True once the search must end.
+    stop: &'a dyn Fn() -> bool,
+    /// Pairs of convex pieces whose distance or contact was computed: the expensive part.
+    pairs: Cell<usize>,
+}
+
+impl Search<'_> {
+    fn go_on(&self) -> Option<()> {
+        if (self.stop)() { None } else { Some(()) }
+    }
+
+    fn faults(&self, assembly: &Assembly) -> Option<Vec<GeometryError>> {
+        let mut parts = Vec::with_capacity(assembly.parts.len());
+        for part in &assembly.parts {
+            self.go_on()?;
+            parts.push(prepare(part));
+        }
+        let mut faults = Vec::new();
+        let boxes = parts.iter().map(|p| p.bounds).collect();
+        let boxes = Boxes::new(boxes);
+        for (i, a) in parts.iter().enumerate() {
+            for j in boxes.near(&a.bounds, SMALLEST_GAP).into_iter().filter(|j| *j > i) {
+                self.go_on()?;
+                let (b, close) = (&parts[j], near_pieces(a, &parts[j]));
+                if let Some((depth, at)) = self.overlap(a, b, &close)? {
+                    faults.push(GeometryError::Clash {
+                        pair: pair(a.part, b.part),
+                        depth,
+                        limit: TOUCH,
+                        at,
+                    });
+                } else if let Some(gap) = self.sliver(a, b, &close)? {
+                    faults.push(GeometryError::Sliver {
+                        pair: pair(a.part, b.part),
+                        gap,
+                        limit: SMALLEST_GAP,
+                    });
+                }
+            }
+        }
+        let by_name: BTreeMap<&str, &Checked> =
+            parts.iter().map(|p| (p.part.name.as_str(), p)).collect();
+        let find = |name: &str| by_name.get(name).copied();
+        let mut asked: BTreeSet<[&str; 2]> = BTreeSet::new();
+        for rule in &assembly.interfaces {
+            let names = [rule.between[0].as_str(), rule.between[1].as_str()];
+            let (Some(a), Some(b)) = (find(names[0]), find(names[1])) else { continue };
+            // a pair may have a rule for each surface
+            if !asked.insert(names) {
                 continue;
             }
-            if stop() {
-                return None;
-            }
-            if let Some((depth, at)) = overlap(a, b) {
-                faults.push(GeometryError::Clash {
-                    pair: pair(a.part, b.part),
-                    depth,
-                    limit: TOUCH,
-                    at,
-                });
-            } else if let Some(gap) = sliver(a, b) {
-                faults.push(GeometryError::Sliver {
-                    pair: pair(a.part, b.part),
-                    gap,
-                    limit: SMALLEST_GAP,
-                });
+            let gap = self.distance(a, b)?;
+            if gap >= SMALLEST_GAP {
+                faults.push(GeometryError::Apart { pair: pair(a.part, b.part), gap });
             }
         }
-    }
-    let find = |name: &str| parts.iter().find(|p| p.part.name == name);
-    let mut asked: Vec<[&str; 2]> = Vec::new();
-    for rule in &assembly.interfaces {
-        if stop() {
-            return None;
+        for rule in &assembly.clearances {
+            let (Some(a), Some(b)) = (find(&rule.between[0]), find(&rule.between[1])) else {
+                continue;
+            };
+            // the boxes are no farther apart than the parts
+            if a.bounds.distance(&b.bounds) >= rule.min {
+                continue;
+            }
+            let distance = self.distance(a, b)?;
+            if distance < rule.min - TOUCH {
+                faults.push(GeometryError::Clearance {
+                    pair: pair(a.part, b.part),
+                    distance,
+                    min: rule.min,
+                    reason: rule.reason.clone(),
+                });
+            }
         }
-        let names = [rule.between[0].as_str(), rule.between[1].as_str()];
-        let (Some(a), Some(b)) = (find(names[0]), find(names[1])) else { continue };
-        let gap = distance(a, b);
-        if gap >= SMALLEST_GAP && !asked.contains(&names) {
-            asked.push(names);
-            faults.push(GeometryError::Apart { pair: pair(a.part, b.part), gap });
-        }
+        Some(faults)
     }
-    for rule in &assembly.clearances {
-        let (Some(a), Some(b)) = (find(&rule.between[0]), find(&rule.between[1])) else { continue };
-        let distance = distance(a, b);
-        if distance < rule.min - TOUCH {
-            faults.push(GeometryError::Clearance {
-                pair: pair(a.part, b.part),
-                distance,
-                min: rule.min,
-                reason: rule.reason.clone(),
-            });
-        }
-    }
-    Some(faults)
 }
 
 /// Descriptions of both parts, such as `the end plate of the right beam (PLATE_R)`.
@@ -121,7 +178,8 @@ fn prepare(part: &Part) -> Checked<'_> {
     if pieces.is_empty() {
         pieces.extend(piece(&Solid::Box { min: bounds.min, max: bounds.max }));
     }
-    Checked { part, solid, bounds, pieces }
+    let boxes = Boxes::new(pieces.iter().map(|p| p.bounds).collect());
+    Checked { part, solid, bounds, pieces, boxes }
 }
 
 fn piece(solid: &Solid) -> Option<Piece> {
@@ -138,16 +196,39 @@ fn piece(solid: &Solid) -> Option<Piece> {
     Some(Piece { shape, pose: Pose::translation(centre[0], centre[1], centre[2]), bounds })
 }
 
-/// Overlap of two parts' material: its depth and a point in it. For each coordinate axis the
-/// longest interval common to both parts on a parallel line is found; the depth is the shortest of
-/// the three.
-fn overlap(a: &Checked, b: &Checked) -> Option<(f64, V3)> {
-    let mut worst: Option<(f64, V3)> = None;
-    for p in &a.pieces {
-        for q in &b.pieces {
+/// The pairs of pieces whose boxes are closer than the smallest gap, in order.
+fn near_pieces(a: &Checked, b: &Checked) -> Vec<[usize; 2]> {
+    // the tree with more pieces is searched
+    let swapped = a.pieces.len() > b.pieces.len();
+    let (few, many) = if swapped { (b, a) } else { (a, b) };
+    let of = |(i, p): (usize, &Piece)| {
+        let near = many.boxes.near(&p.bounds, SMALLEST_GAP);
+        near.into_iter().map(move |j| if swapped { [j, i] } else { [i, j] })
+    };
+    let mut pairs: Vec<[usize; 2]> = few.pieces.iter().enumerate().flat_map(of).collect();
+    pairs.sort_unstable();
+    pairs
+}
+
+impl Search<'_> {
+    /// Distance of two pieces; `None` if it cannot be computed.
+    fn distance_of(&self, p: &Piece, q: &Piece) -> Option<f64> {
+        self.pairs.set(self.pairs.get() + 1);
+        query::distance(&p.pose, &p.shape, &q.pose, &q.shape).ok().map(|d| d.distance)
+    }
+
+    /// Overlap of two parts' material: its depth and a point in it. For each coordinate axis the
+    /// longest interval common to both parts on a parallel line is found; the depth is the shortest
+    /// of the three.
+    fn overlap(&self, a: &Checked, b: &Checked, close: &[[usize; 2]]) -> Option<Option<(f64, V3)>> {
+        let mut worst: Option<(f64, V3)> = None;
+        for [i, j] in close {
+            let (p, q) = (&a.pieces[*i], &b.pieces[*j]);
             if !p.bounds.near(&q.bounds, 0.0) {
                 continue;
             }
+            self.go_on()?;
+            self.pairs.set(self.pairs.get() + 1);
             let contact = query::contact(&p.pose, &p.shape, &q.pose, &q.shape, 0.0).ok().flatten();
             if contact.is_none_or(|c| c.dist >= -TOUCH) {
                 continue;
@@ -162,8 +243,80 @@ fn overlap(a: &Checked, b: &Checked) -> Option<(f64, V3)> {
                 worst = Some((depth, at));
             }
         }
+        Some(worst)
     }
-    worst
+
+    /// Smallest gap between the two parts that is neither contact nor sufficient clearance.
+    ///
+    /// Where pieces come close, the gap is measured in the solids with lines: the pieces around a
+    /// hole keep clear of a shank that fills the hole, although the solids touch.
+    fn sliver(&self, a: &Checked, b: &Checked, close: &[[usize; 2]]) -> Option<Option<f64>> {
+        let common = |p: &Bounds, q: &Bounds| Bounds {
+            min: std::array::from_fn(|k| p.min[k].max(q.min[k]) - SMALLEST_GAP),
+            max: std::array::from_fn(|k| p.max[k].min(q.max[k]) + SMALLEST_GAP),
+        };
+        // around a bolt many pieces are close: one search covers all of them
+        let whole = common(&a.bounds, &b.bounds);
+        let one_search = (0..3).all(|k| whole.max[k] - whole.min[k] <= ONE_SEARCH);
+        let mut boxes = Vec::new();
+        for [i, j] in close {
+            self.go_on()?;
+            let (p, q) = (&a.pieces[*i], &b.pieces[*j]);
+            if self.distance_of(p, q).is_some_and(is_thin) {
+                boxes.push(if one_search { whole } else { common(&p.bounds, &q.bounds) });
+                if one_search {
+                    break;
+                }
+            }
+        }
+        let mut least: Option<f64> = None;
+        for of in boxes {
+            self.go_on()?;
+            let Some((near_a, near_b)) = a.solid.within(&of).zip(b.solid.within(&of)) else {
+                continue;
+            };
+            let of_axis = |axis| thin_air(&near_a, &near_b, axis, of.min, of.max);
+            let gap = (0..3).filter_map(of_axis).reduce(f64::min);
+            least = least.into_iter().chain(gap).reduce(f64::min);
+        }
+        Some(least)
+    }
+
+    /// Distance of two parts. Pairs of pieces are compared in the order of the distance of their
+    /// boxes, until no pair can be closer.
+    fn distance(&self, a: &Checked, b: &Checked) -> Option<f64> {
+        let mut smallest = f64::INFINITY;
+        let near = near_pieces(a, b);
+        for [i, j] in near {
+            self.go_on()?;
+            let (p, q) = (&a.pieces[i], &b.pieces[j]);
+            if p.bounds.distance(&q.bounds) < smallest {
+                smallest = self.distance_of(p, q).map_or(smallest, |d| d.min(smallest));
+            }
+            // nothing is closer than parts that touch
+            if smallest == 0.0 {
+                break;
+            }
+        }
+        // pieces whose boxes are not near are at least this far apart
+        if smallest <= SMALLEST_GAP {
+            return Some(smallest);
+        }
+        let mut pairs = Vec::with_capacity(a.pieces.len() * b.pieces.len());
+        for p in &a.pieces {
+            self.go_on()?;
+            pairs.extend(b.pieces.iter().map(|q| (p.bounds.distance(&q.bounds), p, q)));
+        }
+        pairs.sort_by(|x, y| x.0.total_cmp(&y.0));
+        for (least, p, q) in pairs {
+            if least >= smallest {
+                break;
+            }
+            self.go_on()?;
+            smallest = self.distance_of(p, q).map_or(smallest, |d| d.min(smallest));
+        }
+        Some(smallest)
+    }
 }
 
 /// Quasi-random lines along one axis through a box. The additive recurrence of the plastic number
@@ -211,42 +364,14 @@ fn common_material(a: &FlatSolid, b: &FlatSolid, min: V3, max: V3) -> Option<(f6
     thinnest
 }
 
-/// Smallest gap between the two parts that is neither contact nor sufficient clearance.
-///
-/// Where pieces come close, the gap is measured in the solids with lines: the pieces around a hole
-/// keep clear of a shank that fills the hole, although the solids touch.
-fn sliver(a: &Checked, b: &Checked) -> Option<f64> {
-    let common = |p: &Bounds, q: &Bounds| Bounds {
-        min: std::array::from_fn(|k| p.min[k].max(q.min[k]) - SMALLEST_GAP),
-        max: std::array::from_fn(|k| p.max[k].min(q.max[k]) + SMALLEST_GAP),
-    };
-    let close = |p: &&Piece, q: &&Piece| {
-        let meet = p.bounds.near(&q.bounds, SMALLEST_GAP);
-        let distance = || query::distance(&p.pose, &p.shape, &q.pose, &q.shape);
-        meet && distance().is_ok_and(|d| d.distance > TOUCH && d.distance < SMALLEST_GAP)
-    };
-    let mut pairs = a.pieces.iter().flat_map(|p| {
-        b.pieces.iter().filter(move |q| close(&p, q)).map(move |q| common(&p.bounds, &q.bounds))
-    });
-    // around a bolt many pieces are close: one search covers all of them
-    let whole = common(&a.bounds, &b.bounds);
-    let boxes = if (0..3).all(|k| whole.max[k] - whole.min[k] <= ONE_SEARCH) {
-        pairs.next().map(|_| whole).into_iter().collect()
-    } else {
-        pairs.collect::<Vec<_>>()
-    };
-    let gaps = boxes.into_iter().filter_map(|of| {
-        let (near_a, near_b) = (a.solid.within(&of)?, b.solid.within(&of)?);
-        let of_axis = |axis| thin_air(&near_a, &near_b, axis, of.min, of.max);
-        (0..3).filter_map(of_axis).reduce(f64::min)
-    });
-    gaps.reduce(f64::min)
+/// True for a gap that is neither contact nor wide enough.
+fn is_thin(gap: f64) -> bool {
+    gap > TOUCH && gap < SMALLEST_GAP - ROUNDING
 }
 
 /// Shortest interval outside both solids, with a length in (`TOUCH`, `SMALLEST_GAP`), on lines
 /// along an axis through a box.
 fn thin_air(a: &FlatSolid, b: &FlatSolid, axis: usize, min: V3, max: V3) -> Option<f64> {
-    let thin = |d: f64| d > TOUCH && d < SMALLEST_GAP;
     let mut shortest: Option<f64> = None;
     for line in probes(axis, min, max) {
         let within = [[0.0, max[axis] - min[axis]]];
@@ -254,7 +379,7 @@ fn thin_air(a: &FlatSolid, b: &FlatSolid, axis: usize, min: V3, max: V3) -> Opti
         for s in &in_a {
             for t in &in_b {
                 for gap in [t[0] - s[1], s[0] - t[1]] {
-                    if thin(gap) {
+                    if is_thin(gap) {
                         shortest = Some(shortest.map_or(gap, |x| x.min(gap)));
                     }
                 }
@@ -264,125 +389,5 @@ fn thin_air(a: &FlatSolid, b: &FlatSolid, axis: usize, min: V3, max: V3) -> Opti
     shortest
 }
 
-fn distance(a: &Checked, b: &Checked) -> f64 {
-    let mut smallest = f64::INFINITY;
-    for p in &a.pieces {
-        for q in &b.pieces {
-            // the boxes are no farther apart than the pieces
-            if p.bounds.distance(&q.bounds) >= smallest {
-                continue;
-            }
-            if let Ok(d) = query::distance(&p.pose, &p.shape, &q.pose, &q.shape) {
-                smallest = smallest.min(d.distance);
-            }
-        }
-    }
-    smallest
-}
-
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::geometry::fixtures::{lap_joint, paper_joint};
-
-    fn messages(assembly: &Assembly) -> Vec<(String, String)> {
-        match check(assembly, &|| false).expect("not stopped") {
-            Ok(()) => vec![],
-            Err(d) => d.into_iter().map(|d| (d.code.to_string(), d.message)).collect(),
-        }
-    }
-
-    #[test]
-    fn a_stopped_check_gives_no_answer() {
-        assert!(check(&paper_joint(), &|| true).is_none());
-    }
-
-    #[test]
-    fn sound_joints_pass() {
-        assert_eq!(messages(&lap_joint()), vec![]);
-        assert_eq!(messages(&paper_joint()), vec![]);
-    }
-
-    #[test]
-    fn bolt_head_in_the_other_plate_is_a_clash() {
-        let mut joint = lap_joint();
-        // The bolt moves 3 mm along its axis, and its head enters the upper plate.
-        crate::geometry::fixtures::move_part(&mut joint, "BOLT", [0.0, 0.0, -3.0]);
-        let m = messages(&joint);
-        assert!(
-            m.iter().any(|(c, t)| c == "geometry/clash"
-                && t.contains("bolt (BOLT)")
-                && t.contains("3.000 mm")),
-            "{m:?}"
-        );
-    }
-
-    #[test]
-    fn overlapping_bolts_are_named() {
-        let mut joint = paper_joint();
-        // The bolt at −125 mm moves to 7 mm below the one at 110 mm: heads and shanks overlap.
-        crate::geometry::fixtures::move_part(&mut joint, "BOLT_RP2", [0.0, 0.0, 228.0]);
-        let m = messages(&joint);
-        assert!(
-            m.iter().any(|(c, t)| c == "geometry/clash"
-                && t.contains("BOLT_RP2")
-                && t.contains("BOLT_RP3")),
-            "{m:?}"
-        );
-    }
-
-    #[test]
-    fn half_a_millimetre_of_air_is_refused() {
-        let mut joint = lap_joint();
-        crate::geometry::fixtures::move_part(&mut joint, "LOWER", [0.0, 0.0, -0.5]);
-        let m = messages(&joint);
-        assert!(
-            m.iter()
-                .any(|(c, t)| c == "geometry/gap" && t.contains("LOWER") && t.contains("0.500 mm")),
-            "{m:?}"
-        );
-    }
-
-    #[test]
-    fn pieces_that_leave_room_around_a_shank_are_no_gap() {
-        let mut joint = lap_joint();
-        // Convex pieces of the upper plate with a square window half a millimetre wider than the
-        // hole.
-        let upper = joint.parts.iter_mut().find(|p| p.name == "UPPER").expect("the fixture has it");
-        let cuboid = |x: [f64; 2], y: [f64; 2]| Solid::Box {
-            min: [x[0], y[0], 0.0],
-            max: [x[1], y[1], 10.0],
-        };
-        upper.convex = vec![
-            cuboid([-40.0, -8.5], [-30.0, 30.0]),
-            cuboid([8.5, 40.0], [-30.0, 30.0]),
-            cuboid([-8.5, 8.5], [-30.0, -8.5]),
-            cuboid([-8.5, 8.5], [8.5, 30.0]),
-        ];
-        assert_eq!(messages(&joint), vec![]);
-    }
-
-    #[test]
-    fn contact_between_parts_apart_is_refused() {
-        let mut joint = lap_joint();
-        crate::geometry::fixtures::move_part(&mut joint, "LOWER", [0.0, 0.0, -8.0]);
-        let m = messages(&joint);
-        assert!(m.iter().any(|(c, t)| c == "geometry/apart" && t.contains("8.000 mm")), "{m:?}");
-    }
-
-    #[test]
-    fn clearance_too_small_gives_reason_and_numbers() {
-        let mut joint = paper_joint();
-        joint.clearances.push(crate::assembly::assembly::Clearance {
-            between: ["BOLT_RP1".into(), "BOLT_RP2".into()],
-            min: 70.0,
-            reason: "wrench".into(),
-        });
-        let m = messages(&joint);
-        // pitch of 90 mm minus the width across flats of 27 mm
-        assert!(
-            m.len() == 1 && m[0].0 == "geometry/clearance" && m[0].1.contains("63.0 mm"),
-            "{m:?}"
-        );
-    }
-}
+mod tests;

@@ -6,6 +6,7 @@
 
 use super::mesher_command::find_gmsh;
 use super::mesher_error::{MesherError, OLDEST};
+pub use super::process::Until;
 use super::process::{answer, run_logged};
 use std::ffi::OsString;
 use std::path::Path;
@@ -24,12 +25,21 @@ pub struct Mesher {
 impl Mesher {
     /// Searches for gmsh (environment variable, project-local venv, PATH) and asks for its version.
     pub fn find() -> Result<Self, MesherError> {
-        Self::with_command(find_gmsh()?)
+        Self::find_until(Until::default())
+    }
+
+    /// The same within limits.
+    pub fn find_until(until: Until) -> Result<Self, MesherError> {
+        Self::asked(find_gmsh()?, until)
     }
 
     /// Uses the given command, after asking for its version.
     pub fn with_command(command: Vec<OsString>) -> Result<Self, MesherError> {
-        let version = ask_version(&command)?;
+        Self::asked(command, Until::default())
+    }
+
+    fn asked(command: Vec<OsString>, until: Until) -> Result<Self, MesherError> {
+        let version = ask_version(&command, until)?;
         let mut numbers = version.split('.').map(|w| w.parse::<u32>().unwrap_or(0));
         if (numbers.next().unwrap_or(0), numbers.next().unwrap_or(0)) < OLDEST {
             return Err(MesherError::TooOld { found: version });
@@ -67,8 +77,8 @@ fn error_lines(log: &str) -> Vec<String> {
         .collect()
 }
 
-fn ask_version(command: &[OsString]) -> Result<String, MesherError> {
-    let text = answer(command, "--version")?;
+fn ask_version(command: &[OsString], until: Until) -> Result<String, MesherError> {
+    let text = answer(command, "--version", until)?;
     text.lines()
         .map(str::trim)
         .find(|l| l.starts_with(|c: char| c.is_ascii_digit()) && l.contains('.'))

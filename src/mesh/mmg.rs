@@ -11,7 +11,7 @@ use super::mesher_command::find_mmg;
 use super::mesher_error::MesherError;
 use super::msh_write::write_whole;
 use super::polyhedron::Polyhedron;
-use super::process::{answer, run_logged};
+use super::process::{Until, answer, run_logged};
 use super::restore::restore;
 use crate::math::mandel::Mandel;
 use std::ffi::OsString;
@@ -35,12 +35,21 @@ const OPTIONS: [&str; 5] = ["-nr", "-hgrad", "4", "-v", "1"];
 impl Remesher {
     /// Searches for Mmg (environment variable, project-local venv, PATH) and asks for its version.
     pub fn find() -> Result<Self, MesherError> {
-        Self::with_command(find_mmg()?)
+        Self::find_until(Until::default())
+    }
+
+    /// The same within limits.
+    pub fn find_until(until: Until) -> Result<Self, MesherError> {
+        Self::asked(find_mmg()?, until)
     }
 
     /// Uses the given command, after asking for its version.
     pub fn with_command(command: Vec<OsString>) -> Result<Self, MesherError> {
-        let text = answer(&command, "-h")?;
+        Self::asked(command, Until::default())
+    }
+
+    fn asked(command: Vec<OsString>, until: Until) -> Result<Self, MesherError> {
+        let text = answer(&command, "-h", until)?;
         let version = text
             .lines()
             .find_map(|l| l.split_once("MMG3D, Release ")?.1.split_whitespace().next())

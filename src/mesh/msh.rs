@@ -9,6 +9,7 @@ mod v4;
 
 use super::TetMesh;
 use super::error::{MeshError, MshPlace};
+use crate::text_file;
 use lines::Lines;
 use std::path::Path;
 
@@ -22,7 +23,7 @@ pub fn read(path: &Path) -> Result<TetMesh, MeshError> {
 
 /// Like [`read`], with the notes of the reader.
 pub fn read_with_notes(path: &Path) -> Result<(TetMesh, Vec<String>), MeshError> {
-    let bytes = std::fs::read(path)
+    let bytes = text_file::bytes(path)
         .map_err(|source| MeshError::Io { at: MshPlace { file: path.into(), line: 0 }, source })?;
     parse(&bytes, path)
 }

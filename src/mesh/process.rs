@@ -62,15 +62,35 @@ pub(super) fn run_logged(
     Ok((status, text))
 }
 
-/// Time for an answer.
+/// Longest time for an answer.
 const PROBE: Duration = Duration::from_secs(60);
+
+/// What ends a question early.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Until<'a> {
+    /// Time limit; `None`: a minute, which is also the most.
+    pub limit: Option<Duration>,
+    /// Set once the user has asked to stop. The command is then in a process group of its own, and
+    /// the whole group is killed.
+    pub interrupt: Option<&'a AtomicBool>,
+}
 
 /// Longest answer that is read \[bytes\].
 const LONGEST_ANSWER: u64 = 64 << 10;
 
 /// What a command prints in answer to a question, on both outputs.
-pub(super) fn answer(command: &[OsString], question: &'static str) -> Result<String, MesherError> {
-    let mut child = process(command)
+pub(super) fn answer(
+    command: &[OsString],
+    question: &'static str,
+    until: Until,
+) -> Result<String, MesherError> {
+    let mut command_line = process(command);
+    if until.interrupt.is_some() {
+        alone(&mut command_line);
+    }
+    let started = Instant::now();
+    let limit = until.limit.map_or(PROBE, |l| l.min(PROBE));
+    let mut child = command_line
         .arg(question)
         .stdin(Stdio::null())
         .stdout(Stdio::piped())
@@ -82,9 +102,14 @@ pub(super) fn answer(command: &[OsString], question: &'static str) -> Result<Str
     // some versions answer on standard error
     let out = child.stdout.take().map(drained);
     let err = child.stderr.take().map(drained);
-    let end = wait(&mut child, PROBE, None).map_err(|e| fail(e.to_string()))?;
-    if !matches!(end, End::Exit(_)) {
-        return Err(fail(format!("no answer within {} s", PROBE.as_secs())));
+    match wait(&mut child, limit, until.interrupt).map_err(|e| fail(e.to_string()))? {
+        End::Exit(_) => {}
+        End::TimeLimit => {
+            return Err(fail(format!("no answer within {} s", limit.as_secs_f64())));
+        }
+        End::Interrupted => {
+            return Err(MesherError::Interrupted { seconds: started.elapsed().as_secs_f64() });
+        }
     }
     // a child of the mesher may keep its pipes open
     let said = |text: Receiver<String>| text.recv_timeout(Duration::from_secs(2)).ok();

@@ -6,7 +6,7 @@ use crate::report::sheet::Extent;
 use crate::report::sheet::head::Paper;
 use crate::report::sheet::sweep::SweepSheet;
 use crate::report::words::Words;
-use std::path::{Component, Path};
+use std::path::{Component, Path, PathBuf};
 
 /// The bytes of the PDF, with the pictures in the result folder.
 #[cfg(feature = "pdf")]
@@ -64,14 +64,19 @@ pub fn picture(folder: &Path, name: &str, words: &Words) -> Option<Vec<u8>> {
     }
 }
 
-/// Writes a file aside and renames it, so that no half of it is ever seen.
-pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Box<Diagnostic>> {
+/// The temporary name under which a file is written.
+pub fn part(path: &Path) -> PathBuf {
     let mut part = path.as_os_str().to_owned();
     part.push(".part");
-    let part = Path::new(&part);
-    let written = std::fs::write(part, bytes).and_then(|()| std::fs::rename(part, path));
+    part.into()
+}
+
+/// Writes a file aside and renames it, so that no half of it is ever seen.
+pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Box<Diagnostic>> {
+    let part = part(path);
+    let written = std::fs::write(&part, bytes).and_then(|()| std::fs::rename(&part, path));
     written.map_err(|e| {
-        let _ = std::fs::remove_file(part);
+        let _ = std::fs::remove_file(&part);
         let message = format!("`{}` cannot be written: {e}", path.display());
         let help = "check the folder and the disk, or name another file with --out";
         Box::new(Diagnostic::environment("report/write", message).file(path).help(help))

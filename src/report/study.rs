@@ -1,10 +1,12 @@
 //! Output of a study of speed against error: table, CSV and plots.
 
-use crate::diag::{Diagnostic, Diagnostics};
+use crate::diag::{Diagnostic, Diagnostics, visible};
 use crate::mesh::mesher_error::MesherError;
 use crate::mesh::msh_write::write_whole;
 use crate::report::draw::plot::{Plot, Series};
+use crate::report::escaped::csv_cell;
 use crate::report::figures::{Rounding, fixed, percent_up};
+use crate::report::markdown::markup::inline;
 use crate::result::result_file::RESIDUAL_TOLERANCE;
 use crate::result::study::{Meshes, Row, Study};
 use std::fmt::Write;
@@ -41,7 +43,7 @@ impl Study {
         let dash = || "–".to_string();
         for r in &self.rows {
             let cells = [
-                format!("{} ({})", r.case.replace('|', "\\|"), r.analysis.word()),
+                format!("{} ({})", inline(&r.case), r.analysis.word()),
                 r.series(),
                 r.mesh.to_string(),
                 fixed(r.macro_tets as f64, 0, Rounding::Nearest),
@@ -66,7 +68,7 @@ impl Study {
         for r in &self.rows {
             let meshes = if r.meshes == Meshes::Uniform { "uniform" } else { "adaptive" };
             let cells = [
-                format!("\"{}\"", r.case.replace('"', "\"\"")),
+                format!("\"{}\"", csv_cell(&r.case).replace('"', "\"\"")),
                 r.analysis.word().into(),
                 meshes.into(),
                 r.solver.clone(),
@@ -151,7 +153,7 @@ impl Study {
             std::fs::write(&path, bytes).map_err(|e| MesherError::write(&path, e))?;
             let _ = writeln!(page, "![Certified gap against {}]({stem}.png)\n", plot.x);
         }
-        write_whole(&folder.join("study.md"), &page)?;
+        write_whole(&folder.join("study.md"), &visible(&page))?;
         Ok(write_whole(&folder.join(MARK), &self.csv())?)
     }
 }

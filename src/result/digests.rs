@@ -3,6 +3,7 @@
 //!
 //! The list says which files belong to the result, and `verify` refutes a file that has changed.
 
+use crate::text_file;
 use std::collections::BTreeMap;
 use std::fs;
 use std::io;
@@ -20,7 +21,8 @@ impl Digests {
     pub fn of(folder: &Path) -> io::Result<Self> {
         let mut out = Self::default();
         for name in files(folder)? {
-            out.set(&name, &fs::read(folder.join(&name))?);
+            let hash = hash_of(&folder.join(&name))?;
+            out.0.insert(name, hash);
         }
         Ok(out)
     }
@@ -62,13 +64,20 @@ impl Digests {
 
     /// A sentence for every listed file of a folder that is missing or has changed.
     pub fn differences(&self, folder: &Path) -> Vec<String> {
-        let difference = |(name, hash): (&String, &String)| match fs::read(folder.join(name)) {
-            Ok(bytes) if blake3::hash(&bytes).to_hex().as_str() == hash => None,
+        let difference = |(name, hash): (&String, &String)| match hash_of(&folder.join(name)) {
+            Ok(found) if found == *hash => None,
             Ok(_) => Some(format!("{name} is not the file that the run wrote: its digest differs")),
             Err(e) => Some(format!("{name} is in {DIGESTS_FILE} and cannot be read: {e}")),
         };
         self.0.iter().filter_map(difference).collect()
     }
+}
+
+/// The hash of a regular file, however large.
+fn hash_of(path: &Path) -> io::Result<String> {
+    let mut hasher = blake3::Hasher::new();
+    hasher.update_reader(text_file::regular(path)?)?;
+    Ok(hasher.finalize().to_hex().to_string())
 }
 
 /// Names of all files in a folder and its sub-folders except the list of digests.

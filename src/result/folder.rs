@@ -1,4 +1,5 @@
-//! A result folder. It is written aside and renamed, so that it is either complete or absent.
+//! An output folder: a result, or the files of `mesh` and `study`. It is written aside and renamed,
+//! so that it is either complete or absent.
 //!
 //! All files go into `NAME.part` beside the target. Only [`ResultFolder::finish`] moves it into
 //! place. If a run ends in any other way, the part is removed and the target is unchanged.
@@ -7,8 +8,8 @@
 //! `digests.b3` lists; whatever else the user put there moves into the new folder. Remains of a
 //! program that was killed between these steps are put in order by the next run.
 
-use crate::diag::Diagnostic;
 use crate::result::digests::{DIGESTS_FILE, Digests, files};
+pub use crate::result::folder_error::FolderError;
 use crate::result::result_file::RESULT_FILE;
 use crate::result::result_file::ResultError;
 use crate::result::result_file::ResultFile;
@@ -24,111 +25,18 @@ const MARKER: &str = ".bracket-run";
 /// Suffix of the earlier result while the new one takes its place.
 const OLD: &str = ".old.part";
 
-/// Reason why a result folder cannot be written.
-#[derive(Debug, thiserror::Error)]
-pub enum FolderError {
-    /// The target exists and is not a result of this program.
-    #[error(
-        "`{}` exists and is not a result folder of this program ({why}); it was left as it is",
-        path.display()
-    )]
-    NotOurs {
-        /// The target.
-        path: PathBuf,
-        /// The reason.
-        why: String,
+/// What a folder holds, and how an earlier one is recognised.
+#[derive(Clone, Copy, Debug)]
+pub enum Content {
+    /// A result, with a valid `result.json`.
+    Result,
+    /// Files of another subcommand.
+    Files {
+        /// The file that every such folder has.
+        mark: &'static str,
+        /// The subcommand.
+        command: &'static str,
     },
-    /// The target is the current folder or contains it.
-    #[error("`{}` is the current folder or holds it, and cannot be replaced", path.display())]
-    StandingInside {
-        /// The target.
-        path: PathBuf,
-    },
-    /// Another run writes to the same target.
-    #[error("another run is writing to `{}`", path.display())]
-    Busy {
-        /// The part folder.
-        path: PathBuf,
-    },
-    /// A folder with the name of the part exists and is not of this program.
-    #[error("`{}` is in the way and is not an unfinished result of this program", path.display())]
-    InTheWay {
-        /// The part folder.
-        path: PathBuf,
-    },
-    /// A name inside the folder that would leave it.
-    #[error("`{name}` is not the name of a file inside a result folder")]
-    Name {
-        /// The name.
-        name: String,
-    },
-    /// The folder does not contain a valid `result.json` yet.
-    #[error("the unfinished result has no usable {RESULT_FILE}: {why}")]
-    Incomplete {
-        /// The fault.
-        why: String,
-    },
-    /// The operating system refused.
-    #[error("cannot {action} `{}`: {source}", path.display())]
-    Io {
-        /// The attempted action.
-        action: &'static str,
-        /// Its path.
-        path: PathBuf,
-        /// Error of the operating system.
-        source: io::Error,
-    },
-}
-
-impl From<FolderError> for crate::diag::Diagnostics {
-    fn from(e: FolderError) -> Self {
-        Diagnostic::from(e).into()
-    }
-}
-
-impl From<FolderError> for Diagnostic {
-    fn from(e: FolderError) -> Self {
-        let text = e.to_string();
-        match e {
-            FolderError::NotOurs { path, .. } => Diagnostic::input("report/folder-exists", text)
-                .file(path)
-                .help("choose another folder with --out, or move this one away"),
-            FolderError::StandingInside { path } => {
-                Diagnostic::input("report/folder-current", text)
-                    .file(path)
-                    .help("choose another folder with --out")
-            }
-            FolderError::Busy { path } => Diagnostic::input("report/folder-busy", text)
-                .file(path)
-                .help("wait for the other run, or choose another folder with --out"),
-            FolderError::InTheWay { path } => Diagnostic::input("report/folder-in-the-way", text)
-                .file(path)
-                .help("move it away or choose another --out"),
-            FolderError::Name { .. } => Diagnostic::input("report/file-name", text)
-                .help("rename the load case: letters, digits, `-`, `_` and `.` make a file name"),
-            FolderError::Incomplete { .. } => Diagnostic::undecided("report/incomplete", text)
-                .help("no result was written; please report this fault"),
-            FolderError::Io { path, source, .. } => {
-                let (code, help) = match source.kind() {
-                    io::ErrorKind::StorageFull
-                    | io::ErrorKind::QuotaExceeded
-                    | io::ErrorKind::FileTooLarge => (
-                        "report/disk-full",
-                        "free some space or choose a folder on another disk with --out; nothing \
-                         was left behind",
-                    ),
-                    io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem => {
-                        ("report/read-only", "choose a folder you may write to with --out")
-                    }
-                    _ => (
-                        "report/io",
-                        "check the path and the disk, or choose another folder with --out",
-                    ),
-                };
-                Diagnostic::environment(code, text).file(path).help(help)
-            }
-        }
-    }
 }
 
 fn io_error(action: &'static str, path: &Path) -> impl FnOnce(io::Error) -> FolderError {
@@ -138,22 +46,28 @@ fn io_error(action: &'static str, path: &Path) -> impl FnOnce(io::Error) -> Fold
 /// A result folder in progress. If it is dropped before it is finished, it leaves nothing behind.
 #[derive(Debug)]
 pub struct ResultFolder {
+    content: Content,
     target: PathBuf,
     part: PathBuf,
     /// Parent folders created for the part, outermost first.
     parents: Vec<PathBuf>,
     /// Holds the lock on the marker.
     _lock: File,
-    /// Locked while the folder moves into place; true once it is there.
+    /// Locked while a file is written and while the folder moves into place; true once it is there.
     finished: Arc<Mutex<bool>>,
 }
 
 impl ResultFolder {
-    /// Starts a folder for `target`, after checking that `target` may be replaced. Call it before
+    /// Starts a result for `target`, after checking that `target` may be replaced. Call it before
     /// the work begins.
     pub fn begin(target: &Path) -> Result<Self, FolderError> {
+        Self::begin_with(target, Content::Result)
+    }
+
+    /// The same for a folder with other content.
+    pub fn begin_with(target: &Path, content: Content) -> Result<Self, FolderError> {
         let target = resolve(target)?;
-        check_replaceable(&target)?;
+        check_replaceable(&target, content)?;
         let part = with_suffix(&target, ".part");
         let mut parents: Vec<PathBuf> = Vec::new();
         for parent in
@@ -167,10 +81,11 @@ impl ResultFolder {
             .and_then(|()| claim(&part, &target));
         match result {
             Ok(lock) => {
-                let out = Self { target, part, parents, _lock: lock, finished: Arc::default() };
+                let finished = Arc::default();
+                let out = Self { content, target, part, parents, _lock: lock, finished };
                 // with the part in hand: no other run is about to move its own into place
                 recover(&out.target)?;
-                check_replaceable(&out.target)?;
+                check_replaceable(&out.target, content)?;
                 Ok(out)
             }
             Err(e) => {
@@ -200,6 +115,8 @@ impl ResultFolder {
             return Err(FolderError::Name { name: name.into() });
         }
         let path = self.part.join(name);
+        // whoever gives up waits for this file, and none is begun afterwards
+        let _writing = self.finished.lock().unwrap_or_else(PoisonError::into_inner);
         // messages name the target, because the user does not know the part
         let shown = self.target.join(name);
         if let Some(parent) = path.parent() {
@@ -220,8 +137,8 @@ impl ResultFolder {
         move || {
             let finished = finished.lock().unwrap_or_else(PoisonError::into_inner);
             if !*finished {
-                // files written meanwhile remain in the part; the next run to the same target
-                // removes them
+                // files that other writers leave meanwhile remain in the part; the next run to the
+                // same target removes them
                 let _ = fs::remove_dir_all(&part);
                 remove_empty(&parents);
             }
@@ -232,14 +149,16 @@ impl ResultFolder {
 
     /// Moves the folder into place and replaces an earlier result of this program.
     pub fn finish(self) -> Result<PathBuf, FolderError> {
-        let result = self.part.join(RESULT_FILE);
-        let incomplete = |why: String| FolderError::Incomplete { why };
-        let text = fs::read_to_string(&result).map_err(|e| incomplete(e.to_string()))?;
-        ResultFile::from_json(&text).map_err(|e| incomplete(e.to_string()))?;
+        if let Content::Result = self.content {
+            let incomplete = |why: String| FolderError::Incomplete { why };
+            let text = fs::read_to_string(self.part.join(RESULT_FILE))
+                .map_err(|e| incomplete(e.to_string()))?;
+            ResultFile::from_json(&text).map_err(|e| incomplete(e.to_string()))?;
+        }
         // held to the end, so that nobody removes the part while it is moved
         let mut finished = self.finished.lock().unwrap_or_else(PoisonError::into_inner);
         // the target may have changed during the run
-        check_replaceable(&self.target)?;
+        check_replaceable(&self.target, self.content)?;
         let marker = self.part.join(MARKER);
         fs::remove_file(&marker).map_err(io_error("remove", &marker))?;
         let digests = Digests::of(&self.part).map_err(io_error("read", &self.part))?;
@@ -342,21 +261,37 @@ fn recover(target: &Path) -> Result<(), FolderError> {
     }
 }
 
-/// Checks that an existing target is a folder with a readable `result.json` of this program, and
-/// with the list of its files.
-fn check_replaceable(target: &Path) -> Result<(), FolderError> {
-    let not_ours = |why: String| FolderError::NotOurs { path: target.into(), why };
+/// Checks that an existing target is a folder of this program with the content that replaces it,
+/// and with the list of its files.
+fn check_replaceable(target: &Path, content: Content) -> Result<(), FolderError> {
+    let not_ours = |why: String| match content {
+        Content::Result => FolderError::NotOurs { path: target.into(), why },
+        Content::Files { command, .. } => FolderError::NotOf { path: target.into(), command, why },
+    };
     match target.symlink_metadata() {
         Err(e) if matches!(e.kind(), io::ErrorKind::NotFound) => return Ok(()),
         Err(e) => return Err(io_error("look at", target)(e)),
         Ok(meta) if !meta.is_dir() => return Err(not_ours("it is not a folder".into())),
         Ok(_) => {}
     }
-    let text = fs::read_to_string(target.join(RESULT_FILE)).map_err(|e| match e.kind() {
-        io::ErrorKind::NotFound => not_ours(format!("it holds no {RESULT_FILE}")),
-        _ => not_ours(format!("its {RESULT_FILE} cannot be read: {e}")),
-    })?;
-    ResultFile::from_json(&text).map_err(|e: ResultError| not_ours(e.to_string()))?;
+    match content {
+        Content::Result => {
+            let text =
+                fs::read_to_string(target.join(RESULT_FILE)).map_err(|e| match e.kind() {
+                    io::ErrorKind::NotFound => not_ours(format!("it holds no {RESULT_FILE}")),
+                    _ => not_ours(format!("its {RESULT_FILE} cannot be read: {e}")),
+                })?;
+            ResultFile::from_json(&text).map_err(|e: ResultError| not_ours(e.to_string()))?;
+        }
+        // an empty folder has nothing to lose
+        Content::Files { .. } if fs::read_dir(target).is_ok_and(|mut d| d.next().is_none()) => {
+            return outside(target);
+        }
+        Content::Files { mark, .. } if !target.join(mark).is_file() => {
+            return Err(not_ours(format!("it holds no {mark}")));
+        }
+        Content::Files { .. } => {}
+    }
     match Digests::read(target) {
         Ok(Some(_)) => {}
         Ok(None) => {
@@ -366,8 +301,13 @@ fn check_replaceable(target: &Path) -> Result<(), FolderError> {
         }
         Err(e) => return Err(not_ours(format!("its {DIGESTS_FILE} cannot be read: {e}"))),
     }
-    if let (Ok(current), Ok(target_full)) = (std::env::current_dir(), target.canonicalize())
-        && current.starts_with(&target_full)
+    outside(target)
+}
+
+/// Refuses a target that holds the current folder.
+fn outside(target: &Path) -> Result<(), FolderError> {
+    if let (Ok(current), Ok(full)) = (std::env::current_dir(), target.canonicalize())
+        && current.starts_with(&full)
     {
         return Err(FolderError::StandingInside { path: target.into() });
     }

@@ -12,6 +12,7 @@ pub mod file_names;
 #[cfg(test)]
 pub(crate) mod fixtures;
 pub mod folder;
+pub mod folder_error;
 pub mod forces;
 pub mod history;
 pub mod limit_case;

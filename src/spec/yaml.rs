@@ -8,14 +8,17 @@
 mod extend;
 mod outline;
 mod place;
+mod scan;
 
 pub use extend::REST;
 pub use place::PlaceIndex;
 
 use crate::diag::{Diagnostic, Diagnostics, Place, did_you_mean};
 use outline::Outline;
+use scan::Scan;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
+use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 
 /// A value read from YAML, with the place of each of its parts.
@@ -33,16 +36,19 @@ pub struct Parsed<T> {
 /// document, unknown keys (if `T` denies them), missing keys, duplicate keys in any mapping, NaN
 /// and infinity, tags, and aliases that expand beyond a million values.
 pub fn parse<T: DeserializeOwned>(text: &str, file: &Path) -> Result<Parsed<T>, Diagnostics> {
-    let index = accepted(text, file)?;
-    let value = serde_yaml::from_str(text).map_err(|e| from_serde(&e, &index, file))?;
+    let (index, text) = accepted(text, file)?;
+    let value = serde_yaml::from_str(&text).map_err(|e| from_serde(&e, &index, file))?;
     Ok(Parsed { value, index })
 }
 
 /// True if a document has this key at its top level, which distinguishes specs from model files. Of
 /// a text that is no document, the keys are the words with which its lines begin.
 pub fn top_level(text: &str, key: &str) -> bool {
-    match Outline::read(text) {
-        Ok(Outline::Map(entries)) => entries.iter().any(|(k, _)| k == key),
+    let scan = Scan::of(text);
+    let readable = scan.too_deep.is_none() && scan.too_many.is_none();
+    let outline = readable.then(|| Outline::read(text));
+    match outline {
+        Some(Ok(Outline::Map(entries))) => entries.iter().any(|(k, _)| k == key),
         _ => {
             let starts = |l: &str| {
                 l.strip_prefix(key).is_some_and(|rest| rest.trim_start().starts_with(':'))
@@ -56,8 +62,8 @@ pub fn top_level(text: &str, key: &str) -> bool {
 const LARGEST: usize = 16 << 20;
 
 /// Refuses what no document may contain, whatever its type. Returns the places of an accepted
-/// document.
-fn accepted(text: &str, file: &Path) -> Result<PlaceIndex, Diagnostics> {
+/// document, and its text as the YAML crate reads it.
+fn accepted<'t>(text: &'t str, file: &Path) -> Result<(PlaceIndex, Cow<'t, str>), Diagnostics> {
     if text.len() > LARGEST {
         let message =
             format!("the file has {} MB, at most {} are read", text.len() >> 20, LARGEST >> 20);
@@ -68,15 +74,31 @@ fn accepted(text: &str, file: &Path) -> Result<PlaceIndex, Diagnostics> {
         let d = Diagnostic::input("yaml/empty", "the file is empty").file(file);
         return Err(d.help("`bracket new` writes a starter").into());
     }
+    let scan = Scan::of(text);
+    let deep = scan.too_deep.map(|at| (at, too_deep()));
+    if let Some((at, fault)) = deep.or(scan.too_many.map(|at| (at, too_many()))) {
+        let before = &text[..at];
+        let column = before.rsplit('\n').next().map_or(0, |l| l.chars().count()) + 1;
+        return Err(fault.file(file).at(before.matches('\n').count() + 1, column).into());
+    }
+    let joined = scan.joined(text);
+    let text = &*joined;
     let outline = Outline::read(text).map_err(|e| {
         let d = from_serde(&e, &PlaceIndex::new(file), file);
-        if d.code == "yaml/syntax" { tab(text, file).unwrap_or(d) } else { d }
+        match d.code {
+            "yaml/syntax" => tab(text, file).unwrap_or(d),
+            "yaml/too-large" if !text.contains('*') => Diagnostic {
+                message: "the file has more than a million values".into(),
+                ..d.help("specs have some hundred; is this the right file?")
+            },
+            _ => d,
+        }
     })?;
     let index = PlaceIndex::read(text, file);
     let mut faults = Vec::new();
     outline.faults(&index, text, &mut faults);
     Diagnostics::refuse(faults)?;
-    Ok(index)
+    Ok((index, joined))
 }
 
 /// A document of keys and values that is not typed yet, so that it can extend another one.
@@ -90,8 +112,8 @@ pub struct Document {
 impl Document {
     /// Reads one document. Refuses what [`parse`] refuses for every type.
     pub fn read(text: &str, file: &Path) -> Result<Self, Diagnostics> {
-        let index = accepted(text, file)?;
-        let keys = serde_yaml::from_str(text).map_err(|e| from_serde(&e, &index, file))?;
+        let (index, text) = accepted(text, file)?;
+        let keys = serde_yaml::from_str(&text).map_err(|e| from_serde(&e, &index, file))?;
         Ok(Self { keys, index, file: file.to_path_buf() })
     }
 
@@ -237,8 +259,7 @@ fn from_serde(error: &serde_yaml::Error, index: &PlaceIndex, file: &Path) -> Dia
         return named(d.help("write the values out instead of `*alias`"), "");
     }
     if text.contains("recursion limit") {
-        let d = Diagnostic::input("yaml/too-deep", "the file is nested deeper than 128 levels");
-        return named(d.help("no input of this program needs more than 8 levels"), "");
+        return named(too_deep(), "");
     }
     if text.contains(outline::TAGGED) {
         let d = Diagnostic::input("yaml/tag", "YAML tags (`!name`) mean nothing here");
@@ -255,6 +276,16 @@ fn from_serde(error: &serde_yaml::Error, index: &PlaceIndex, file: &Path) -> Dia
         d = d.at(at.line(), at.column());
     }
     d
+}
+
+fn too_deep() -> Diagnostic {
+    Diagnostic::input("yaml/too-deep", "the file is nested deeper than 128 levels")
+        .help("no input of this program needs more than 8 levels")
+}
+
+fn too_many() -> Diagnostic {
+    Diagnostic::input("yaml/too-large", "the file has more than 10 000 entries between braces")
+        .help("specs have some dozen; write long lists with brackets, or a line each")
 }
 
 /// Removes the trailing ` at line L column C`; the place is reported separately.

@@ -229,7 +229,7 @@ fn inches(number: f64) -> f64 {
 pub fn bare(number: f64, kind: Kind) -> Result<f64, UnitError> {
     match kind {
         Kind::Length => finite(number, kind),
-        _ => Err(UnitError::NoUnit { number: number.to_string(), kind }),
+        _ => Err(UnitError::NoUnit { number: crate::diag::number(number), kind }),
     }
 }
 
@@ -237,6 +237,6 @@ fn finite(value: f64, kind: Kind) -> Result<f64, UnitError> {
     if value.is_finite() {
         Ok(value)
     } else {
-        Err(UnitError::NotFinite { number: value.to_string(), kind })
+        Err(UnitError::NotFinite { number: crate::diag::number(value), kind })
     }
 }

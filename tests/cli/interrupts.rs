@@ -155,26 +155,131 @@ fn an_earlier_result_outlives_an_interrupt() {
     assert!(bench.everything() == before, "{err}");
 }
 
-/// Before any result exists, the first signal ends the program.
+/// While the mesher is asked for its version, a signal ends the program and all processes that it
+/// has started.
 #[test]
-fn early_signals_end_at_once() {
-    let bench = Bench::new().file("joint.yaml", JOINT);
-    std::fs::write(bench.path().join("mesher.sh"), "echo $$ > asked; exec sleep 600")
+fn the_probe_of_the_mesher_dies_with_the_run() {
+    for command in [&["run", "joint.yaml"][..], &["mesh", "joint.yaml"], &["study", "joint.yaml"]] {
+        let bench = Bench::new().file("joint.yaml", JOINT);
+        let before = ["joint.yaml", "asked", "mesher.sh"];
+        std::fs::write(
+            bench.path().join("mesher.sh"),
+            "sleep 600 & echo $$ $! > asked.part; mv asked.part asked; wait",
+        )
         .expect("written");
+        let mesher = serde_json::json!(["sh", bench.path().join("mesher.sh")]).to_string();
+        let running = Running::start(bench.command(command).env("BRACKET_GMSH", mesher));
+        let pids = appears(&bench, "asked");
+        running.send(Signal::SIGINT);
+        let (status, took, err) = running.end();
+        assert!(took < Duration::from_secs(5), "{took:?}");
+        assert_eq!(status.code(), Some(3), "{err}");
+        assert!(err.contains("interrupted while looking for the mesher"), "{err}");
+        all_end(&pids, "the probe");
+        let left = bench.everything();
+        assert!(left.keys().all(|k| before.iter().any(|b| k.ends_with(b))), "{:?}", left.keys());
+    }
+}
+
+/// The time limit of the spec ends the probe too.
+#[test]
+fn a_mesher_that_does_not_answer_is_stopped_at_the_time_limit() {
+    let spec = JOINT.replace("{kind: elastic,", "{kind: elastic, time_limit: 1 s,");
+    let bench = Bench::new().file("joint.yaml", &spec);
+    std::fs::write(bench.path().join("mesher.sh"), "sleep 600").expect("written");
     let mesher = serde_json::json!(["sh", bench.path().join("mesher.sh")]).to_string();
     let running = Running::start(bench.command(&["run", "joint.yaml"]).env("BRACKET_GMSH", mesher));
-    let mesher = appears(&bench, "asked");
-    running.send(Signal::SIGINT);
-    // the mesher keeps standard error open, so only the exit status is read here
-    let mut child = running.child;
-    let start = Instant::now();
-    let status = child.wait().expect("it ends");
-    assert!(start.elapsed() < Duration::from_secs(5));
-    assert_eq!(status.code(), Some(3));
-    // on a terminal Ctrl-C also reaches the mesher
-    kill(Pid::from_raw(mesher.trim().parse().expect("a number")), Signal::SIGTERM)
-        .expect("what is blocked is no heirloom");
-    assert!(!bench.path().join("joint").exists() && !bench.path().join("joint.part").exists());
+    let (status, took, err) = running.end();
+    assert!(took < Duration::from_secs(20), "{took:?}");
+    assert_eq!(status.code(), Some(4), "{err}");
+    assert!(err.contains("no answer within 1 s"), "{err}");
+}
+
+/// After an interrupt the exit code is 3 even where the bounds so far are certified, and the last
+/// line says why.
+#[test]
+fn a_certified_result_ends_with_3_after_an_interrupt() {
+    let model = format!(
+        "{}adapt: {{target_gap: 0.0001, max_passes: 12, max_macro_tets: 400000}}\n",
+        opening()
+    );
+    let bench = || Bench::new().file("block.yaml", &model).file("m.msh", mesh_of([4, 4, 6], 60.0));
+    let analysed = bench();
+    let mut running = Running::start(&mut analysed.command(&["analyse", "block.yaml"]));
+    // the second mesh: the first one has given its bounds
+    (0..2).for_each(|_| running.until("static program: "));
+    running.send(Signal::SIGTERM);
+    let (status, _, err) = running.end();
+    assert_eq!(status.code(), Some(3), "{err}");
+    assert!(err.contains("(certified)"), "there are bounds: {err}");
+    let last = err.lines().last().unwrap_or_default();
+    assert!(last.contains("exit code 3: interrupted"), "{err}");
+    expect(&analysed, &["verify", "block"], 0);
+    let studied = bench();
+    let args = ["study", "block.yaml", "--uniform", "4", "--max-macro-tets", "400000"];
+    let mut running = Running::start(&mut studied.command(&args));
+    (0..2).for_each(|_| running.until("static program: "));
+    running.send(Signal::SIGTERM);
+    let (status, _, err) = running.end();
+    assert_eq!(status.code(), Some(3), "{err}");
+    assert!(err.lines().last().is_some_and(|l| l.contains("exit code 3: interrupted")), "{err}");
+    assert!(studied.read("block_study/study.csv").lines().count() > 1, "the rows so far");
+}
+
+/// A check ends at once. The signal comes while the folder is being written.
+#[test]
+fn a_check_ends_at_once_and_leaves_nothing() {
+    let mut ended = 0;
+    for signal in [Signal::SIGTERM, Signal::SIGINT, Signal::SIGTERM, Signal::SIGINT] {
+        let bench = Bench::new().file("joint.yaml", JOINT);
+        let before = bench.everything();
+        let running = Running::start(&mut bench.command(&["check", "joint.yaml", "--out", "r"]));
+        let start = Instant::now();
+        while !bench.path().join("r.part").exists() && !bench.path().join("r").exists() {
+            assert!(start.elapsed() < Duration::from_secs(60), "it never begins");
+            std::thread::sleep(Duration::from_millis(1));
+        }
+        // between the folder and the watch over it lies a moment
+        std::thread::sleep(Duration::from_millis(20));
+        running.send(signal);
+        let (status, _, err) = running.end();
+        if bench.path().join("r").exists() {
+            continue;
+        }
+        assert_eq!(status.code(), Some(3), "{err}");
+        assert!(bench.everything() == before, "{:?}", bench.everything().keys());
+        ended += 1;
+    }
+    assert!(ended > 0, "every check was over before its signal");
+}
+
+/// Commands that read a result end at once too.
+#[test]
+fn verify_and_report_end_at_once() {
+    let bench = Bench::new().file("block.yaml", opening()).file("m.msh", mesh_of([6, 6, 8], 60.0));
+    expect(&bench, &["analyse", "block.yaml", "-q"], 0);
+    let before = bench.everything();
+    for args in [&["verify", "block"][..], &["report", "block", "--full", "--out", "full.pdf"]] {
+        let tried = [30, 60, 120, 15, 250, 500].into_iter().any(|delay| {
+            let running = Running::start(&mut bench.command(args));
+            std::thread::sleep(Duration::from_millis(delay));
+            running.send(Signal::SIGTERM);
+            let (status, _, err) = running.end();
+            let _ = std::fs::remove_file(bench.path().join("full.pdf"));
+            assert!(
+                bench.everything() == before,
+                "{args:?} leaves {:?}",
+                bench.everything().keys()
+            );
+            // a program that has not begun dies of the signal, one that is over ends with 0
+            match status.code() {
+                Some(3) => true,
+                Some(0) | None => false,
+                code => panic!("{args:?}: {code:?} {err}"),
+            }
+        });
+        assert!(tried, "{args:?} never ended by its signal");
+    }
 }
 
 /// Waits until a file of the bench exists and holds a line.
@@ -208,24 +313,26 @@ fn an_interrupted_mesher_dies_with_its_children() {
         assert_eq!(status.code(), Some(3), "{command}: {err}");
         assert!(took < Duration::from_secs(5), "{command}: {took:?}");
         assert!(err.contains("error[mesher/interrupted]: interrupted while meshing"), "{err}");
-        for pid in text.split_whitespace() {
-            let pid = Pid::from_raw(pid.parse().expect("a number"));
-            let start = Instant::now();
-            // init reaps the grandchild some time later
-            while alive(pid) {
-                assert!(
-                    start.elapsed() < Duration::from_secs(10),
-                    "{command}: process {pid} lives on"
-                );
-                std::thread::sleep(Duration::from_millis(5));
-            }
-        }
+        all_end(&text, command);
         std::fs::remove_file(pids).expect("it is there");
         assert_eq!(
             bench.everything().into_keys().collect::<Vec<_>>(),
             before,
             "{command} left something"
         );
+    }
+}
+
+/// Waits until the processes of a line have ended.
+fn all_end(pids: &str, whose: &str) {
+    for pid in pids.split_whitespace() {
+        let pid = Pid::from_raw(pid.parse().expect("a number"));
+        let start = Instant::now();
+        // init reaps the grandchild some time later
+        while alive(pid) {
+            assert!(start.elapsed() < Duration::from_secs(10), "{whose}: process {pid} lives on");
+            std::thread::sleep(Duration::from_millis(5));
+        }
     }
 }
 

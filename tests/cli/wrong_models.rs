@@ -94,6 +94,7 @@ const ROWS: &[(&str, &str, &str, usize, &str, &str)] = &[
         "free outer faces",
     ),
     ("E: 210000", "E: -210000", "model/value", 3, "`E` of material `steel`", "210000"),
+    ("E: 210000", "E: -1e300", "model/value", 3, "is -1e300, it must", "210000"),
     ("nu: 0.3}", "nu: .nan}", "yaml/not-finite", 3, "materials.steel.nu", "finite"),
     ("nu: 0.3}", "nu: 0.3, E: 1}", "yaml/duplicate-key", 3, "`E`", "keep one"),
     ("nu: 0.3}", "nu: 0.3, density: 1}", "yaml/unknown-key", 3, "`density`", "E, nu, fy"),
@@ -320,6 +321,24 @@ fn a_part_without_support_is_named_before_anything_is_solved() {
         place: "",
         message: "part B+C can move along z",
         cure: "support",
+    };
+    if let Err(e) = refusal(&bench, &mut bench.command(&["analyse", "model.yaml"]), &t) {
+        panic!("{e}");
+    }
+}
+
+/// A device without end is refused at once, as mesh and as model.
+#[test]
+#[cfg(target_os = "linux")]
+fn a_device_is_no_mesh() {
+    let model = MODEL.replace("m.msh", "/dev/zero");
+    let bench = Bench::new().file("model.yaml", model);
+    let t = Want {
+        exit: 2,
+        code: "mesh/read",
+        place: "/dev/zero",
+        message: "it is not a regular file",
+        cure: "check the path",
     };
     if let Err(e) = refusal(&bench, &mut bench.command(&["analyse", "model.yaml"]), &t) {
         panic!("{e}");

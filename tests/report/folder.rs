@@ -1,7 +1,7 @@
 //! Result folders are complete or do not exist.
 
 use bracket::diag::{Diagnostic, Fault};
-use bracket::result::folder::{FolderError, ResultFolder};
+use bracket::result::folder::{Content, FolderError, ResultFolder};
 use bracket::result::result_file::RESULT_FILE;
 use bracket::result::result_file::ResultFile;
 use bracket::result::result_file::Verdict;
@@ -80,6 +80,32 @@ fn files_of_the_user_stay_in_a_folder_that_is_replaced() {
     let e = fault(ResultFolder::begin(&target).expect_err("no list"));
     assert!(e.message.contains("cannot be told from yours"), "{e}");
     assert_eq!(names(dir.path()), ["joint"]);
+}
+
+/// `mesh` and `study` replace only files that they have written.
+#[test]
+fn files_of_the_user_stay_beside_those_of_mesh_and_study() {
+    let dir = tempfile::tempdir().expect("temporary folder");
+    let target = dir.path().join("joint_study");
+    let content = Content::Files { mark: "study.csv", command: "study" };
+    let begin = || ResultFolder::begin_with(&target, content);
+    // an empty folder is taken
+    fs::create_dir(&target).expect("made");
+    for rows in ["first", "second"] {
+        let folder = begin().expect("begins");
+        folder.write("study.csv", rows.as_bytes()).expect("writes");
+        folder.finish().expect("finishes");
+        fs::write(target.join(format!("{rows}.txt")), "mine").expect("writes");
+    }
+    assert_eq!(names(&target), ["digests.b3", "first.txt", "second.txt", "study.csv"]);
+    assert_eq!(fs::read_to_string(target.join("study.csv")).expect("reads"), "second");
+    for (gone, why) in [("digests.b3", "cannot be told from yours"), ("study.csv", "study.csv")] {
+        fs::remove_file(target.join(gone)).expect("removed");
+        let e = fault(begin().expect_err(gone));
+        assert_eq!(e.code, "cli/out-exists");
+        assert!(e.message.contains("`bracket study`") && e.message.contains(why), "{e}");
+    }
+    assert_eq!(names(dir.path()), ["joint_study"]);
 }
 
 /// A program can be killed after each of the steps in which it replaces a result.

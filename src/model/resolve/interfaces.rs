@@ -3,6 +3,7 @@
 use super::claims::{Claims, OpenInterface, OpenLaw};
 use super::faults::Faults;
 use super::names::Scene;
+use crate::diag::number;
 use crate::mesh::split::{OpenPair, TetFace};
 use crate::mesh::topology::FaceRow;
 use crate::model::analysis::{ContactLaw, FacePair, Interface, Weld};
@@ -206,7 +207,7 @@ fn weld_strength(entry: &InterfaceEntry, path: &str, faults: &mut Faults<'_>) ->
         if let Some(v) = value
             && !(v.is_finite() && v > 0.0)
         {
-            let m = format!("`{key}` of the weld is {v}, it must be > 0");
+            let m = format!("`{key}` of the weld is {}, it must be > 0", number(v));
             faults.add("model/value", &format!("{path}.{key}"), m, "mm and MPa, positive");
             sound = false;
         }
@@ -257,7 +258,7 @@ pub(super) fn contact_law(
         return None;
     };
     if !(mu.is_finite() && mu >= 0.0) {
-        let m = format!("`mu` is {mu}, a friction coefficient is ≥ 0");
+        let m = format!("`mu` is {}, a friction coefficient is ≥ 0", number(mu));
         faults.add(
             "model/value",
             &format!("{path}.mu"),

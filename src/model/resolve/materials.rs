@@ -1,7 +1,7 @@
 //! Reads materials and the material of each body.
 
 use super::faults::Faults;
-use crate::diag::did_you_mean;
+use crate::diag::{did_you_mean, number};
 use crate::mesh::TetMesh;
 use crate::model::analysis::Material;
 use crate::model::file::ModelFile;
@@ -17,6 +17,7 @@ pub(super) fn read(
     for (name, m) in &file.materials {
         let mut check = |key: &str, value: f64, good: bool, limit: &str, help: &str| {
             if !good {
+                let value = number(value);
                 let message =
                     format!("`{key}` of material `{name}` is {value}, it must be {limit}");
                 faults.add("model/value", &format!("materials.{name}.{key}"), message, help);

@@ -1,7 +1,7 @@
 //! The log of a run: lines on standard error, progress bars on a terminal, and `log.txt`.
 
 use crate::analysis::program::Program;
-use crate::diag::visible;
+use crate::diag::{in_line, visible};
 use crate::report::console::pace::{Pace, about};
 use crate::solve::Iteration;
 use indicatif::{MultiProgress, ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
@@ -70,8 +70,10 @@ impl Log {
 
     /// Logs a line; shows it unless quiet.
     pub fn line(&self, text: impl AsRef<str>) {
-        self.keep(text.as_ref());
-        self.say(text);
+        // a line end within a name must not look like a line of the program
+        let line = in_line(text.as_ref());
+        self.keep(&line);
+        self.say(line);
     }
 
     /// Shows a line that is in `log.txt` already.
@@ -91,7 +93,7 @@ impl Log {
     pub fn stage(&self, text: impl Into<String>) {
         let text = text.into();
         self.keep(&text);
-        self.stage.set_message(text);
+        self.stage.set_message(visible(&text));
     }
 
     /// Marks the begin of a program's solve. On a terminal the solve gets a bar.

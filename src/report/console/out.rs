@@ -1,12 +1,17 @@
 //! Data on standard output; messages go to standard error.
 
-use crate::diag::{Diagnostic, Diagnostics, visible};
+use crate::diag::{Diagnostic, Diagnostics, in_line, visible};
 use serde::Serialize;
 use std::io::{ErrorKind, Write};
 
-/// Writes text to standard output. A reader that closes the pipe early (`bracket … | head`) is not
-/// a fault.
-pub fn text(data: &str) -> Result<(), Diagnostics> {
+/// Writes text for people to standard output.
+pub fn text(text: &str) -> Result<(), Diagnostics> {
+    data(&visible(text))
+}
+
+/// Writes data for programs to standard output, as they are. A reader that closes the pipe early
+/// (`bracket … | head`) is not a fault.
+pub fn data(data: &str) -> Result<(), Diagnostics> {
     let mut out = std::io::stdout().lock();
     match out.write_all(data.as_bytes()).and_then(|()| out.flush()) {
         Err(e) if e.kind() != ErrorKind::BrokenPipe => Err(Diagnostic::environment(
@@ -19,14 +24,23 @@ pub fn text(data: &str) -> Result<(), Diagnostics> {
     }
 }
 
+/// Writes a line to standard error. Nobody reads it any more if standard error is closed; that is
+/// not a fault.
+pub fn remark(line: &str) {
+    let _ = writeln!(std::io::stderr(), "{}", visible(line));
+}
+
 /// Writes one JSON document and a newline to standard output.
-pub fn json(data: &impl Serialize) -> Result<(), Diagnostics> {
-    text(&format!("{:#}\n", serde_json::json!(data)))
+pub fn json(document: &impl Serialize) -> Result<(), Diagnostics> {
+    data(&format!("{:#}\n", serde_json::json!(document)))
 }
 
 /// Arranges the cells of each line in columns: the first column left-aligned, numbers
 /// right-aligned, two blanks between columns.
 pub fn columns(head: &[&str], rows: &[Vec<String>]) -> String {
+    // before the widths, so that columns stay in line
+    let clean = |row: &Vec<String>| row.iter().map(|cell| in_line(cell)).collect();
+    let rows: Vec<Vec<String>> = rows.iter().map(clean).collect();
     let width = |i: usize| {
         rows.iter()
             .map(|r| r[i].chars().count())
@@ -55,8 +69,7 @@ pub fn columns(head: &[&str], rows: &[Vec<String>]) -> String {
         line + "\n"
     };
     let mut text = line(&mut head.iter().copied());
-    for row in rows {
-        let row: Vec<String> = row.iter().map(|cell| visible(cell)).collect();
+    for row in &rows {
         text += &line(&mut row.iter().map(String::as_str));
     }
     text

@@ -1,7 +1,7 @@
 //! Verdicts and capacities of the load cases with a demand.
 
 use crate::report::figures::{Rounding, bracket, significant};
-use crate::report::markdown::markup::{inline, strings, table};
+use crate::report::markdown::markup::{strings, table};
 use crate::report::markdown::report_data::{GivenActions, Table};
 use crate::result::demand::{Demand, EndAction};
 use crate::result::result_file::CaseResult;
@@ -17,7 +17,7 @@ pub(crate) fn demands(page: &mut String, result: &ResultFile, given: &[GivenActi
                 let (l, u) = bracket(l, u, 3);
                 format!("{l} … {u}")
             });
-            vec![inline(&c.name), d.verdict.words().into(), between]
+            vec![c.name.clone(), d.verdict.words().into(), between]
         });
         table(
             page,

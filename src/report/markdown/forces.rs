@@ -28,7 +28,7 @@ pub(crate) fn tables(page: &mut String, case: &CaseResult, symmetry: u32) {
     let at = |b: &BoltForce, axis: usize| {
         b.place.as_ref().map_or_else(String::new, |p| format!("{:.1}", p.position[axis]))
     };
-    let row = |b: &BoltForce| vec![inline(&b.bolt), at(b, 1), at(b, 2), kn(b.tension), kn(b.shear)];
+    let row = |b: &BoltForce| vec![b.bolt.clone(), at(b, 1), at(b, 2), kn(b.tension), kn(b.shear)];
     let rows = s.bolts.iter().map(row).collect();
     let columns = strings(["bolt", "y [mm]", "z [mm]", "tension [kN]", "shear [kN]"]);
     table(page, &Table { columns, rows });
@@ -37,7 +37,7 @@ pub(crate) fn tables(page: &mut String, case: &CaseResult, symmetry: u32) {
     }
     let rows = s.contacts.iter().map(|c| {
         let centre = c.centre.map(|x| format!("{x:.1}")).join(", ");
-        vec![inline(&c.between.join(" on ")), kn(c.compression), centre]
+        vec![c.between.join(" on "), kn(c.compression), centre]
     });
     let columns = strings(["contact", "compression [kN]", "centre of pressure x, y, z [mm]"]);
     table(page, &Table { columns, rows: rows.collect() });

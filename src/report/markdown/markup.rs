@@ -16,34 +16,119 @@ pub(crate) fn paragraph(page: &mut String, text: &str) {
     page.push_str("\n\n");
 }
 
-/// Escapes a text so that it remains within its line or cell, and becomes no link, no picture and
-/// no element of HTML.
+/// Escapes a text so that it remains within its line or cell, and becomes no link, no picture, no
+/// emphasis and no element of HTML. Code in backticks stays code.
 pub(crate) fn inline(text: &str) -> String {
-    let line = text.replace(['\n', '\r'], " ").replace('|', "\\|").replace('<', "&lt;");
-    line.replace("](", "]\\(")
+    let chars: Vec<char> = text.trim_start().chars().collect();
+    // a backtick without its partner would make code of what follows
+    let odd_ticks = chars.iter().filter(|c| **c == '`').count() % 2 == 1;
+    let mut out = String::with_capacity(text.len());
+    for (i, &c) in chars.iter().enumerate() {
+        let before = i.checked_sub(1).map(|k| chars[k]);
+        let after = chars.get(i + 1).copied();
+        let is = |c: Option<char>, of: &str| c.is_some_and(|c| of.contains(c));
+        let word = |c: Option<char>| c.is_some_and(char::is_alphanumeric);
+        let gap = |c: Option<char>| c.is_none_or(char::is_whitespace);
+        let escaped = match c {
+            '\n' | '\r' | '\u{2028}' | '\u{2029}' => {
+                out.push(' ');
+                continue;
+            }
+            '<' => {
+                out.push_str("&lt;");
+                continue;
+            }
+            // `&#42;` would be a character
+            '&' if is(after, "#") || word(after) => {
+                out.push_str("&amp;");
+                continue;
+            }
+            '\\' | '|' => true,
+            // links, pictures and definitions of links
+            '(' | ':' => is(before, "]"),
+            '[' => is(before, "]!"),
+            // addresses become links without any mark
+            '/' => is(before, ":") && is(after, "/"),
+            '.' => i >= 3 && chars[i - 3..i].iter().all(|c| c.eq_ignore_ascii_case(&'w')),
+            '*' => !(gap(before) && gap(after)),
+            '_' => !(word(before) && word(after)),
+            '~' => is(before, "~") || is(after, "~"),
+            '`' => odd_ticks,
+            // the begin of a heading, a quotation or a list
+            '#' | '>' => i == 0,
+            '-' | '+' => i == 0 && gap(after),
+            _ => false,
+        };
+        if escaped {
+            out.push('\\');
+        }
+        out.push(c);
+    }
+    out
 }
 
 pub(crate) fn table(page: &mut String, table: &Table) {
-    let row = |cells: &[String]| {
-        format!("| {} |\n", cells.iter().map(|c| inline(c)).collect::<Vec<_>>().join(" | "))
+    table_with_bold(page, table, &[]);
+}
+
+/// A table with the rows bold for which `bold` is true; a missing entry is false.
+pub(crate) fn table_with_bold(page: &mut String, table: &Table, bold: &[bool]) {
+    let row = |cells: &[String], bold: bool| {
+        let mark = if bold { "**" } else { "" };
+        let cells = cells.iter().map(|c| format!("{mark}{}{mark}", inline(c)));
+        format!("| {} |\n", cells.collect::<Vec<_>>().join(" | "))
     };
-    page.push_str(&row(&table.columns));
+    page.push_str(&row(&table.columns, false));
     let number = |c: usize| {
-        table.rows.iter().all(|r| {
-            r.get(c).is_none_or(|t| {
-                t.is_empty() || t.starts_with(|l: char| l.is_ascii_digit() || "-<–".contains(l))
-            })
+        table.rows.iter().zip(0..).all(|(r, i)| {
+            let begins = |l: char| l.is_ascii_digit() || "-<–".contains(l);
+            r.get(c).is_none_or(|t| t.is_empty() || (t.starts_with(begins) && !is_bold(bold, i)))
         })
     };
     let rule: Vec<&str> =
         (0..table.columns.len()).map(|c| if number(c) { "---:" } else { "---" }).collect();
     page.push_str(&format!("| {} |\n", rule.join(" | ")));
-    for r in &table.rows {
-        page.push_str(&row(r));
+    for (i, r) in table.rows.iter().enumerate() {
+        page.push_str(&row(r, is_bold(bold, i)));
     }
     page.push('\n');
 }
 
+fn is_bold(bold: &[bool], row: usize) -> bool {
+    bold.get(row).copied().unwrap_or(false)
+}
+
 pub(crate) fn strings<const N: usize>(cells: [&str; N]) -> Vec<String> {
     cells.map(String::from).to_vec()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn texts_of_the_user_stay_text() {
+        for (text, shown) in [
+            ("[c](javascript:x)", "[c]\\(javascript:x)"),
+            ("![i](http://e/x.png)", "!\\[i]\\(http:\\//e/x.png)"),
+            ("[c][d] [d]: x", "[c]\\[d] [d]\\: x"),
+            ("see https://e.x or www.e.x", "see https:\\//e.x or www\\.e.x"),
+            (
+                "**b** *i* _i_ __b__ ~~s~~",
+                "\\*\\*b\\*\\* \\*i\\* \\_i\\_ \\_\\_b\\_\\_ \\~\\~s\\~\\~",
+            ),
+            ("a|b\\|c\nd", "a\\|b\\\\\\|c d"),
+            ("<b> &#42; &lt; a & b", "&lt;b> &amp;#42; &amp;lt; a & b"),
+            ("`code` `a", "\\`code\\` \\`a"),
+            ("# head", "\\# head"),
+            ("- list", "\\- list"),
+        ] {
+            assert_eq!(inline(text), shown);
+        }
+        // texts of the program have these marks and stay as they are
+        for text in ["F_t,Rd = 2 * γ_M2 [mm]", "`max_passes` of 3", "-43.2 kN m", "~ 3: 4/5 (EN)"]
+        {
+            assert_eq!(inline(text), text);
+        }
+    }
 }

@@ -1,6 +1,6 @@
 //! The summary of the checks as a table, with the governing one in bold.
 
-use crate::report::markdown::markup::{paragraph, strings, table};
+use crate::report::markdown::markup::{paragraph, strings, table_with_bold};
 use crate::report::markdown::report_data::Table;
 use crate::report::summary::{SummaryRow, summary_rows};
 use crate::result::result_file::ResultFile;
@@ -11,17 +11,14 @@ pub(crate) fn table_of_checks(page: &mut String, result: &ResultFile) {
     if rows.is_empty() {
         return;
     }
+    let bold: Vec<bool> = rows.iter().map(|r| r.governs).collect();
     let cells = |r: SummaryRow| {
-        let cells =
-            [r.case, r.check, r.demand, r.resistance, r.utilisation, r.clause, r.status].to_vec();
-        match r.governs {
-            true => cells.into_iter().map(|c| format!("**{c}**")).collect(),
-            false => cells,
-        }
+        [r.case, r.check, r.demand, r.resistance, r.utilisation, r.clause, r.status].to_vec()
     };
     paragraph(page, "Every check with a demand, the worst first; the governing one is bold:");
     let columns = strings(["case", "check", "Ed", "Rd", "utilisation", "clause", "status"]);
-    table(page, &Table { columns, rows: rows.into_iter().map(cells).collect() });
+    let rows = rows.into_iter().map(cells).collect();
+    table_with_bold(page, &Table { columns, rows }, &bold);
 }
 
 #[cfg(test)]

@@ -3,11 +3,12 @@
 //! The layouts (`*.typ`) read a sheet as JSON, so that no text of the user is ever part of their
 //! code. Fonts are embedded. Equal sheets and pictures give equal bytes.
 
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, visible};
 use crate::report::sheet::head::Head;
 use crate::report::sheet::sweep::{SUMMARY_PDF, SweepSheet};
 use crate::report::sheet::{PDF_FILE, Sheet};
 use crate::report::words::Words;
+use serde_json::Value;
 use std::collections::HashMap;
 use std::sync::LazyLock;
 use typst::diag::{FileError, FileResult};
@@ -104,6 +105,16 @@ pub fn sweep_pdf(sheet: &SweepSheet, words: &Words) -> Result<Vec<u8>, Box<Diagn
     typeset(SUMMARY_PDF, &layout, (sheet, &sheet.head), HashMap::new())
 }
 
+/// The data of a layout with texts that command nothing and turn no direction of writing.
+fn plain(data: Value) -> Value {
+    match data {
+        Value::String(text) => Value::String(visible(&text)),
+        Value::Array(items) => items.into_iter().map(plain).collect(),
+        Value::Object(keys) => keys.into_iter().map(|(k, v)| (k, plain(v))).collect(),
+        other => other,
+    }
+}
+
 /// Sets a sheet, to be named `file`, with a layout. With a date the file is PDF/A-2b, unless a text
 /// has characters that the fonts do not have.
 fn typeset(
@@ -118,7 +129,8 @@ fn typeset(
         Box::new(Diagnostic::environment("report/pdf", message).help(help))
     };
     let main = id("main.typ").ok_or_else(|| fault("its layout has no name".into()))?;
-    let data = serde_json::to_vec(sheet).map_err(|e| fault(e.to_string()))?;
+    let data = serde_json::to_value(sheet).map_err(|e| fault(e.to_string()))?;
+    let data = plain(data).to_string().into_bytes();
     files.extend(id("data.json").map(|id| (id, Bytes::new(data))));
     let library = LazyHash::new(Library::default());
     let world = Files { library, main: Source::new(main, layout.into()), files };

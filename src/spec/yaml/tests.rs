@@ -208,10 +208,44 @@ fn alias_bombs_are_refused() {
 
 #[test]
 fn deep_nesting_is_refused() {
-    for n in [200, 20_000] {
+    for n in [200, 100_000] {
         let text = format!("title: {}1{}", "[".repeat(n), "]".repeat(n));
         assert_eq!(read(&text).expect_err("deep").first().code, "yaml/too-deep");
     }
+}
+
+/// The reader of the crate takes minutes for brackets nested this deep, and does so within keys
+/// and lists too.
+#[test]
+fn deep_nesting_is_refused_before_it_is_read() {
+    for text in [
+        format!("title: {}", "[".repeat(100_000)),
+        format!("a: 1\nsizes: {}", "{x: ".repeat(100_000)),
+        format!("sizes: {}", "[a, ".repeat(100_000)),
+    ] {
+        let fault = read(&text).expect_err("deep").into_first();
+        assert_eq!(fault.code, "yaml/too-deep");
+        let line = 1 + usize::from(text.starts_with("a:"));
+        assert_eq!(fault.place.line, Some(line), "found by the first look at the characters");
+    }
+}
+
+#[test]
+fn a_long_list_is_not_blamed_on_aliases() {
+    let list = |entry: &str| format!("title: a\nsizes: [{}]\n", entry.repeat(1_100_000));
+    let fault = read(&list("1,")).expect_err("too many").into_first();
+    assert_eq!(fault.code, "yaml/too-large");
+    assert_eq!(fault.message, "the file has more than a million values");
+    let fault = read(&format!("x: &a 1\n{}", list("*a,"))).expect_err("too many").into_first();
+    assert!(fault.message.contains("aliases"), "{fault}");
+}
+
+/// JSON writes an emoji as two escapes.
+#[test]
+fn surrogate_pairs_are_one_character() {
+    let parsed = read(r#"title: "a \ud83d\ude00 b""#).expect("read");
+    assert_eq!(parsed.value.title, "a \u{1f600} b");
+    assert_eq!(read(r#"title: "\ud83d""#).expect_err("half a pair").first().code, "yaml/syntax");
 }
 
 #[test]
@@ -249,4 +283,18 @@ fn keys_of_the_top_level_are_found_in_every_form() {
     assert!(!top_level("a: {template: t}", "template"));
     // not a document: the error that follows says what kind of file it looks like
     assert!(top_level("mesh: [\nbodies: x", "mesh"));
+}
+
+#[test]
+fn very_many_entries_between_braces_are_refused_at_once() {
+    let entries = |n: usize| format!("a: {{b: 0{}}}", ", c: 0".repeat(n));
+    let scan = |text: &str| Scan::of(text).too_many;
+    assert_eq!(scan(&entries(10_000)), None);
+    assert!(scan(&entries(10_001)).is_some());
+    // lists are read in time, and braces in texts are no braces
+    assert_eq!(scan(&format!("a: [0{}]", ", 0".repeat(20_000))), None);
+    assert_eq!(scan(&format!("a: \"{{{}\"", ", ".repeat(20_000))), None);
+    let refused = parse::<BTreeMap<String, f64>>(&entries(200_000), Path::new("f.yaml"));
+    let code = refused.map(|_| ()).expect_err("too many").into_first().code;
+    assert_eq!(code, "yaml/too-large");
 }
