@@ -13,6 +13,9 @@ use std::path::Path;
 /// Faults that are reported at once; a wrong column has one in every row.
 const SHOWN: usize = 5;
 
+/// Most columns; a spec has some hundred values.
+const MOST_COLUMNS: usize = 1000;
+
 /// Reads a table.
 pub fn read(file: &Path) -> Result<Dimension, Diagnostics> {
     let text = text_file::read(file, |e| {
@@ -69,6 +72,11 @@ fn parse(text: &str, file: &Path) -> Result<Dimension, Diagnostics> {
         fault(line, None, message, help)
     };
     let headers = reader.headers().map_err(|e| Diagnostics::from(broken(e)))?.clone();
+    if headers.len() > MOST_COLUMNS {
+        let message = format!("{} columns, at most {MOST_COLUMNS} are read", headers.len());
+        let help = "each row is a joint, each column a value that varies";
+        return Err(fault(1, None, message, help).into());
+    }
     let columns = columns(&headers).map_err(|faults| {
         let help = "a header is `name`, `expect`, or a path of the spec, with the unit of its \
                     numbers behind it: `loads.ULS1.My [kN m]`";
@@ -176,6 +184,13 @@ mod tests {
             assert_eq!((d.steps[0].place.line, d.steps[1].place.line), (Some(3), Some(4)));
             assert!(d.steps[0].expect.is_some() && d.steps[1].expect.is_none());
         }
+    }
+
+    #[test]
+    fn a_header_without_end_is_refused_at_once() {
+        let header: Vec<String> = (0..200_000).map(|i| format!("parameters.a{i}")).collect();
+        let first = read(&format!("{}\n", header.join(","))).map(|_| ()).expect_err("too many");
+        assert!(first.into_first().message.starts_with("200000 columns"));
     }
 
     #[test]

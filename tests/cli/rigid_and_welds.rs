@@ -111,16 +111,12 @@ fn bounds_of_two_meshes_keep_the_values_of_their_fields() {
             "throat: 8, thickness: 10, strength: 235",
         )
         .replace("[100, 0, 0]", "[0, 0, -10]");
-    let mut apart = 0;
-    for target in ["0.16", "0.12", "0.09"] {
-        let adapt = format!("adapt: {{target_gap: {target}, max_macro_tets: 3000, max_passes: 3}}");
-        let bench = bars(&format!("{model}{adapt}\n"), [40.0, 10.0, 10.0], 8);
-        expect(&bench, &["analyse", "bars.yaml", "-q"], 0);
-        let weld = &case(&bench)["welds"][0];
-        assert!(number(&weld["utilisation"]) > 0.0 && number(&weld["share"]) >= 0.0, "{weld}");
-        let (out, _) = expect(&bench, &["verify", "bars"], 0);
-        assert!(!out.contains("REFUTED"), "{target}: {out}");
-        apart += usize::from(bench.path().join("bars/fields/bars_static.yaml").is_file());
-    }
-    assert!(apart > 0, "no pair of bounds of two meshes");
+    let adapt = "adapt: {target_gap: 0.14, max_macro_tets: 800, max_passes: 2}";
+    let bench = bars(&format!("{model}{adapt}\n"), [40.0, 10.0, 10.0], 8);
+    expect(&bench, &["analyse", "bars.yaml", "-q"], 0);
+    assert!(bench.path().join("bars/fields/bars_static.yaml").is_file(), "bounds of one mesh");
+    let weld = &case(&bench)["welds"][0];
+    assert!(number(&weld["utilisation"]) > 0.0 && number(&weld["share"]) >= 0.0, "{weld}");
+    let (out, _) = expect(&bench, &["verify", "bars"], 0);
+    assert!(!out.contains("REFUTED"), "{out}");
 }
