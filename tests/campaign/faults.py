@@ -40,7 +40,7 @@ COMMAND = {
     "check": ["check", "joint.yaml"],
     "batch": ["batch", "sweep.yaml", "--jobs", "1"],
 }
-WHAT = ["kill", "kill", "signal", "signal", "signal", "two", "full", "full", "stdout", "read-only", "deleted"]
+WHAT = ["kill"] * 2 + ["signal"] * 3 + ["two"] + ["full"] * 2 + ["stdout", "read-only", "deleted"]
 
 
 def prompt():
