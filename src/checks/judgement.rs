@@ -410,7 +410,7 @@ mod tests {
         };
         let (j, each) = judge(&mut hand(&checks, &[]), &[case("A"), case("B")]);
         assert_eq!(each.iter().map(|j| j.verdict).collect::<Vec<_>>(), [Fine, NotOk]);
-        let line = j.line(1);
+        let line = j.line(1, None);
         for words in [
             "NOT OK (by code NOT OK, by analysis OK)",
             "B, share, row, utilisation 1.05 (6.2)",
@@ -421,8 +421,12 @@ mod tests {
         assert!(j.reason.contains("limit analysis does not know"), "{}", j.reason);
         // where all checks hold, the largest utilisation governs
         let (j, _) = judge(&mut hand(&checks[..1], &[]), &[case("A")]);
-        assert!(j.line(0).contains("utilisation 0.9 (6.2)"), "{}", j.line(0));
+        assert!(j.line(0, None).contains("utilisation 0.9 (6.2)"), "{}", j.line(0, None));
         let (j, _) = judge(&mut hand(&[check(Topic::Bolts, 0.7, Some("A"))], &[]), &[case("A")]);
-        assert!(j.line(0).contains("utilisation 0.69 … 0.81 (limit analysis)"), "{}", j.line(0));
+        assert!(
+            j.line(0, None).contains("utilisation 0.69 … 0.81 (limit analysis)"),
+            "{}",
+            j.line(0, None)
+        );
     }
 }
