@@ -47,6 +47,12 @@ pub fn bytes(path: &Path) -> std::io::Result<Vec<u8>> {
     Ok(out)
 }
 
+/// Reads a regular file as UTF-8, as this program writes its own files.
+pub fn utf8_of(path: &Path) -> std::io::Result<String> {
+    let invalid = |e| std::io::Error::new(std::io::ErrorKind::InvalidData, e);
+    String::from_utf8(bytes(path)?).map_err(invalid)
+}
+
 /// Opens a regular file.
 pub fn regular(path: &Path) -> std::io::Result<File> {
     // asked before it is opened, because that waits for the other end of a pipe

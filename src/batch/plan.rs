@@ -172,7 +172,7 @@ fn derived_fit(
 
 /// Hash of the content of a file.
 fn content(file: &Path) -> String {
-    std::fs::read(file).map(|b| blake3::hash(&b).to_hex().to_string()).unwrap_or_default()
+    crate::text_file::bytes(file).map(|b| blake3::hash(&b).to_hex().to_string()).unwrap_or_default()
 }
 
 /// The part of a key that all cases with a template share, for each template.

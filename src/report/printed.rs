@@ -56,7 +56,7 @@ pub fn sweep_pdf(_: &SweepSheet, _: &Words) -> Result<Vec<u8>, Box<Diagnostic>> 
 pub fn picture(folder: &Path, name: &str, words: &Words) -> Option<Vec<u8>> {
     let mut parts = Path::new(name).components();
     let inside = matches!((parts.next(), parts.next()), (Some(Component::Normal(_)), None));
-    let bytes = inside.then(|| std::fs::read(folder.join(name)).ok()).flatten()?;
+    let bytes = inside.then(|| crate::text_file::bytes(&folder.join(name)).ok()).flatten()?;
     match String::from_utf8(bytes) {
         Ok(text) if name.ends_with(".svg") => Some(words.drawing(&text).into_bytes()),
         Ok(text) => Some(text.into_bytes()),

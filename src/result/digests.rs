@@ -29,7 +29,7 @@ impl Digests {
 
     /// Reads the list of a folder; `None` if it has none.
     pub fn read(folder: &Path) -> io::Result<Option<Self>> {
-        match fs::read_to_string(folder.join(DIGESTS_FILE)) {
+        match text_file::utf8_of(&folder.join(DIGESTS_FILE)) {
             Ok(text) => Self::parse(&text).map(Some).ok_or_else(|| {
                 io::Error::new(io::ErrorKind::InvalidData, "it is no list of digests")
             }),
@@ -128,6 +128,14 @@ mod tests {
         of_nothing.set("x", b"");
         let hash = "af1349b9f5f9a1a6a0404dea36dcc9499bcb25c9adc112b7cc9a93cae41f3262";
         assert_eq!(of_nothing.text(), format!("{hash}  x\n"));
+        // a device has no end, and no digest
+        #[cfg(unix)]
+        {
+            fs::remove_file(path.join("b.txt")).expect("removed");
+            std::os::unix::fs::symlink("/dev/zero", path.join("b.txt")).expect("linked");
+            let found = digests.differences(path);
+            assert!(found[1].contains("it is not a regular file"), "{found:?}");
+        }
         fs::write(path.join(DIGESTS_FILE), "nothing\n").expect("written");
         assert!(Digests::read(path).is_err());
     }

@@ -276,11 +276,12 @@ fn check_replaceable(target: &Path, content: Content) -> Result<(), FolderError>
     }
     match content {
         Content::Result => {
-            let text =
-                fs::read_to_string(target.join(RESULT_FILE)).map_err(|e| match e.kind() {
-                    io::ErrorKind::NotFound => not_ours(format!("it holds no {RESULT_FILE}")),
-                    _ => not_ours(format!("its {RESULT_FILE} cannot be read: {e}")),
-                })?;
+            let text = crate::text_file::utf8_of(&target.join(RESULT_FILE)).map_err(|e| match e
+                .kind()
+            {
+                io::ErrorKind::NotFound => not_ours(format!("it holds no {RESULT_FILE}")),
+                _ => not_ours(format!("its {RESULT_FILE} cannot be read: {e}")),
+            })?;
             ResultFile::from_json(&text).map_err(|e: ResultError| not_ours(e.to_string()))?;
         }
         // an empty folder has nothing to lose

@@ -92,7 +92,7 @@ impl ReportData {
             Box::new(Diagnostic::input("report/data", message).file(folder.join(file)).help(help))
         };
         let read = |file: &str| {
-            std::fs::read_to_string(folder.join(file)).map_err(|e| missing(file, e.to_string()))
+            crate::text_file::utf8_of(&folder.join(file)).map_err(|e| missing(file, e.to_string()))
         };
         let result = ResultFile::from_json(&read(RESULT_FILE)?).map_err(Diagnostic::from)?;
         let text = read(REPORT_DATA_FILE)?;
