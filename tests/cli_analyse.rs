@@ -28,6 +28,8 @@ mod preload;
 mod result_folder;
 #[path = "cli/rigid_and_welds.rs"]
 mod rigid_and_welds;
+#[path = "cli/unloaded_contacts.rs"]
+mod unloaded_contacts;
 #[path = "cli/verdicts.rs"]
 mod verdicts;
 #[path = "cli/verify.rs"]

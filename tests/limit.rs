@@ -29,5 +29,7 @@ mod shared_patterns;
 mod slip;
 #[path = "limit/ties.rs"]
 mod ties;
+#[path = "limit/unloaded_contacts.rs"]
+mod unloaded_contacts;
 #[path = "limit/welds.rs"]
 mod welds;

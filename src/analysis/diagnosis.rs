@@ -1,7 +1,6 @@
 //! Certificates of the solver as sentences: the parts that move away, the contacts that exclude
 //! each other.
 
-use crate::math::vec3::{self, V3};
 use crate::mesh::quality;
 use crate::model::AnalysisModel;
 use crate::programs::conic::{ConicProgram, cone_margin};
@@ -33,37 +32,6 @@ pub fn long_tets(model: &AnalysisModel) -> Option<String> {
             "long tets can be the cause, {n} of them are more than {LONG} times as long as thick; \
              the longest: {worst}"
         )),
-    }
-}
-
-/// The parts that move along an unbounded direction, as text; `moved`: displacement of points, each
-/// with its part.
-pub fn mechanism(model: &AnalysisModel, moved: impl IntoIterator<Item = (u32, V3)>) -> String {
-    let mut mean = vec![([0.0; 3], 0.0); model.parts.len()];
-    for (p, u) in moved {
-        let m = &mut mean[p as usize];
-        *m = (vec3::add(m.0, u), m.1 + 1.0);
-    }
-    let mean: Vec<V3> =
-        mean.into_iter().map(|(s, n)| if n > 0.0 { vec3::scale(1.0 / n, s) } else { s }).collect();
-    let largest = mean.iter().map(|m| vec3::norm(*m)).fold(0.0, f64::max);
-    let moving: Vec<String> = mean
-        .iter()
-        .zip(&model.parts)
-        .filter(|(m, _)| vec3::norm(**m) > NAMED * largest)
-        .map(|(m, name)| {
-            let d = (0..3).max_by(|&a, &b| m[a].abs().total_cmp(&m[b].abs())).unwrap_or(0);
-            format!(
-                "part {name} moves along {}{}",
-                if m[d] < 0.0 { "−" } else { "+" },
-                ["x", "y", "z"][d]
-            )
-        })
-        .collect();
-    if moving.is_empty() {
-        "the parts turn without moving their centres".into()
-    } else {
-        moving.join(", ")
     }
 }
 

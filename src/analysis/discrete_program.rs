@@ -15,6 +15,7 @@ use crate::model::loads::Loads;
 use crate::programs::dofs::DofMap;
 use crate::programs::{ConicProgram, Kinematic, Static};
 use crate::recover::elastic::{self, RecoverError};
+use crate::recover::moving_parts::mechanism;
 use crate::solve::{Patterns, Solution, SolveOptions};
 
 /// The next of a sequence of problems that differ in the offsets of their rows.
@@ -85,7 +86,7 @@ pub(crate) trait DiscreteProgram: Sized + Send + Sync {
     ) -> Result<Self::Answer, RecoverError>;
     /// The parts that move along the direction of an unbounded solution, as text.
     fn mechanism(&self, model: &AnalysisModel, solution: &Solution) -> String {
-        diagnosis::mechanism(model, self.base().motion(model, &solution.x))
+        mechanism(model, self.base().motion(model, &solution.x))
     }
     /// Number of tets with a yield condition, where only part of the tets may have one.
     fn yielding(&self) -> Option<usize> {

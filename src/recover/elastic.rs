@@ -7,6 +7,7 @@
 
 use crate::certify::fields::{DisplacementField, StressField};
 use crate::elements::super_element::PARAMETERS;
+use crate::model::loads::Loads;
 use crate::model::{AnalysisModel, ModelError};
 use crate::programs::conic::{ConicProgram, Csr, SymmetricCsc, cone_margin};
 use crate::programs::constraints;
@@ -16,7 +17,10 @@ use crate::programs::dofs::DofMap;
 use crate::programs::kinematic::Kinematic;
 use crate::programs::static_form::Static;
 use crate::programs::super_elements::SuperElements;
-use crate::recover::force_sets::{Within, balance, cone_ranges};
+use crate::recover::force_sets::{Within, cone_ranges};
+use crate::recover::interface_balance::InterfaceBalance;
+use crate::recover::load_tractions::largest_traction;
+use crate::recover::moving_parts::rigid_mechanism;
 use crate::recover::restore_equilibrium::restore_equilibrium;
 use crate::solve::Solution;
 use crate::solve::sparse::{LinearError, Patterns, SparseCholesky};
@@ -33,8 +37,14 @@ pub enum RecoverError {
     /// An element failed.
     #[error(transparent)]
     Model(#[from] ModelError),
-    /// Contact forces could not be balanced inside their cones.
-    #[error("the contact forces of part(s) {0} cannot be balanced inside their friction cones")]
+    /// No contact forces balance the loads; the motion that they drive, in words.
+    #[error("no contact forces that press and stay within friction can carry the loads: {0}")]
+    NoEquilibrium(String),
+    /// Contact forces in balance with the loads were not found; the parts that only contact holds.
+    #[error(
+        "contact forces in balance with the loads were not found near those of the solver (only \
+         contact holds part(s) {0}): some are as small as its error"
+    )]
     Unbalanced(String),
     /// The fixed point for Coulomb friction was not found.
     #[error(
@@ -327,9 +337,6 @@ pub(crate) fn interface_sets(statics: &Static) -> Vec<Within> {
 
 /// Contact and weld tractions, corrected so that they balance the loads on every rigid motion that
 /// only they resist.
-///
-/// Where a contact force is below the error of the solver, the exact force may be zero (a loose
-/// part without load): such forces are dropped when no balance is found with them.
 fn balanced_tractions(
     statics: &Static,
     mut found: Vec<f64>,
@@ -349,18 +356,39 @@ fn balanced_tractions(
     let rows: Vec<Vec<f64>> = modes.iter().map(|m| interface_work(statics, &m.unknowns)).collect();
     let needed: Vec<f64> =
         modes.iter().map(|m| m.unknowns.iter().zip(&program.q).map(|(a, b)| a * b).sum()).collect();
-    let noise = 1e-7 * found.iter().fold(0.0f64, |m, z| m.max(z.abs()));
-    for least in [0.0, noise] {
-        let mut z = found.clone();
-        for (start, dim) in cone_ranges(program) {
-            let force = &mut z[start..start + dim];
-            if force[0] < least {
-                force.fill(0.0);
-            }
-        }
-        if balance(&sets, &rows, &needed, &mut z) {
-            return Ok(apart(z));
-        }
+    let model = statics.elements.model();
+    let balance = InterfaceBalance {
+        sets: &sets,
+        rows: &rows,
+        needed: &needed,
+        // tractions of an interior-point method lie inside their cones
+        margins: &[0.0],
+        pressure: largest_traction(model, Loads::ALL),
+    };
+    match balance.find(&found, None) {
+        Ok((z, _)) => Ok(apart(z)),
+        Err(none) => Err(unbalanced(model, modes, none.driven.as_deref())),
     }
-    Err(RecoverError::Unbalanced(statics.elements.model().parts.join(", ")))
+}
+
+/// Why the forces on parts that only contact holds could not be balanced; `driven`: combination of
+/// the motions that the loads drive.
+pub(crate) fn unbalanced(
+    model: &AnalysisModel,
+    modes: &[ContactMode],
+    driven: Option<&[f64]>,
+) -> RecoverError {
+    let parts = 0..model.parts.len();
+    if let Some(c) = driven {
+        let motion = |p: usize| -> [f64; 6] {
+            std::array::from_fn(|d| modes.iter().zip(c).map(|(m, c)| c * m.parts[p][d]).sum())
+        };
+        let motions: Vec<[f64; 6]> = parts.map(motion).collect();
+        return RecoverError::NoEquilibrium(rigid_mechanism(model, &motions));
+    }
+    let size = |m: &ContactMode, p: usize| m.parts[p].iter().fold(0.0f64, |s, x| s.max(x.abs()));
+    let largest = |m: &ContactMode| (0..m.parts.len()).map(|p| size(m, p)).fold(0.0, f64::max);
+    let held = parts.filter(|p| modes.iter().any(|m| size(m, *p) > 1e-6 * largest(m)));
+    let names: Vec<&str> = held.map(|p| model.parts[p].as_str()).collect();
+    RecoverError::Unbalanced(names.join(", "))
 }

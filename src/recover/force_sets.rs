@@ -43,6 +43,15 @@ impl Within {
         }
     }
 
+    /// Moves a force to the nearest one in the set with a margin relative to the pressure in a cone
+    /// and to the strength in a ball.
+    pub fn move_in(self, z: &mut [f64], margin: f64) {
+        match self {
+            Within::Cone { start, dim } => into_cone(&mut z[start..start + dim], 1.0 - margin),
+            Within::Ball { .. } => self.draw_in(z, margin),
+        }
+    }
+
     /// Distance to the surface, with the room for rounding subtracted; negative outside.
     fn margin(self, z: &[f64]) -> f64 {
         let (start, dim) = self.range();

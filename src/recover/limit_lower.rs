@@ -13,22 +13,22 @@
 
 use crate::certify::fields::StressField;
 use crate::certify::limit_certificate::{LowerCertificate, certify_lower};
-use crate::certify::measures::largest;
 use crate::elements::super_element::PARAMETERS;
 use crate::math::Sum;
-use crate::math::vec3;
 use crate::model::AnalysisModel;
-use crate::model::loads::{Loads, face_corners};
+use crate::model::loads::Loads;
 use crate::programs::constraints::hold;
+use crate::programs::contact_modes::ContactMode;
 use crate::programs::super_elements::SuperElements;
 use crate::programs::{Static, constraints};
 use crate::recover::draw_inside::check_dead;
 pub use crate::recover::draw_inside::{Lower, LowerError, draw_inside};
 use crate::recover::elastic::{
     RecoverError, add_interface_forces, balance_elements, interface_sets, interface_work,
-    stress_field,
+    stress_field, unbalanced,
 };
-use crate::recover::force_sets::{Within, balance, into_cone};
+use crate::recover::interface_balance::{Forces, InterfaceBalance};
+use crate::recover::load_tractions::largest_traction;
 use crate::solve::sparse::{Patterns, SparseCholesky};
 
 /// Factor on the stiffness of bodies that never yield.
@@ -89,24 +89,7 @@ fn at_rest(model: &AnalysisModel) -> Lower {
 /// slenderness that a mesh can represent collapses under so small a load only if it carries no load
 /// at all.
 fn is_nothing(model: &AnalysisModel, factor: f64) -> bool {
-    let mut traction = 0.0f64;
-    for load in model.surface_loads.iter().filter(|l| !l.dead) {
-        for f in &load.faces {
-            let corners = face_corners(&model.mesh, f);
-            let n = vec3::unit(vec3::area_vector(&corners));
-            traction = traction.max(largest(corners.map(|x| vec3::norm(load.at(x, n)))));
-        }
-    }
-    for r in &model.rigid {
-        let corners = r.faces.iter().map(|f| face_corners(&model.mesh, f));
-        let (area, reach) = corners.fold((0.0, 0.0f64), |(area, reach), c| {
-            let far = largest(c.map(|x| vec3::norm(vec3::sub(x, r.at))));
-            (area + vec3::norm(vec3::area_vector(&c)), reach.max(far))
-        });
-        let [x, y, z, mx, my, mz] = r.action;
-        let per = [vec3::norm([x, y, z]) / area, vec3::norm([mx, my, mz]) / (area * reach)];
-        traction = traction.max(largest(per));
-    }
+    let traction = largest_traction(model, Loads::LIVE);
     let weakest = model.yield_radii().into_iter().flatten().fold(f64::INFINITY, f64::min);
     let bodies = model.body_loads.iter().any(|l| !l.dead);
     weakest.is_finite() && !bodies && factor.abs() * traction < NOTHING * weakest
@@ -155,11 +138,11 @@ fn equilibrium(
     let stiff = stiffened(model);
     let statics = Static::new(&stiff).map_err(RecoverError::from)?;
     let modes = statics.contact_modes();
-    let motions: Vec<Vec<f64>> = modes.into_iter().map(|m| m.unknowns).collect();
-    let (mut z, factor) = balanced(&statics, approximate, &motions, lenient)?;
+    let (mut z, factor) = balanced(&statics, approximate, &modes, lenient)?;
     let welds = z.split_off(statics.program.g.nrows());
     let loads = Loads::at(factor);
     let mut p = statics.program.p.clone();
+    let motions = modes.into_iter().map(|m| m.unknowns).collect();
     hold(&mut p, &constraints::pins(motions, &statics.pinned), &[]);
     let cholesky =
         SparseCholesky::new(&p, &statics.map.block, patterns).map_err(RecoverError::from)?;
@@ -178,15 +161,19 @@ fn equilibrium(
 fn balanced(
     statics: &Static,
     approximate: &ApproximateStress,
-    motions: &[Vec<f64>],
+    modes: &[ContactMode],
     lenient: bool,
 ) -> Result<(Vec<f64>, f64), RecoverError> {
     let factor = approximate.factor;
-    let mut sets = interface_sets(statics);
+    let model = statics.elements.model();
+    let sets = interface_sets(statics);
     let mut tractions = statics.gather_contact(approximate.contact);
     tractions.extend_from_slice(approximate.welds);
-    if motions.is_empty() || sets.is_empty() {
-        return Ok((inside(&sets, &tractions, INSIDE[0], 0.0), factor));
+    if modes.is_empty() || sets.is_empty() {
+        for set in &sets {
+            set.move_in(&mut tractions, INSIDE[0]);
+        }
+        return Ok((tractions, factor));
     }
     let dot = |a: &[f64], b: &[f64]| Sum::of(a.iter().zip(b).map(|(a, b)| a * b));
     let forces = |loads: Loads| -> Result<Vec<f64>, RecoverError> {
@@ -195,56 +182,25 @@ fn balanced(
     };
     let (live, dead) = (forces(Loads::LIVE)?, forces(Loads::DEAD)?);
     // the load factor is one more force, on a half-line
-    let rows: Vec<Vec<f64>> = motions
+    let rows: Vec<Vec<f64>> = modes
         .iter()
         .map(|m| {
-            let mut row = interface_work(statics, m);
-            row.push(dot(m, &live));
+            let mut row = interface_work(statics, &m.unknowns);
+            row.push(dot(&m.unknowns, &live));
             row
         })
         .collect();
-    let needed: Vec<f64> = motions.iter().map(|m| -dot(m, &dead)).collect();
-    let tied = sets.clone();
-    sets.push(Within::Cone { start: tractions.len(), dim: 1 });
-    let noise = 1e-7 * tractions.iter().fold(0.0f64, |m, z| m.max(z.abs()));
-    let mut outside = None;
-    for shrink in INSIDE {
-        for least in [0.0, noise] {
-            let mut z = inside(&tied, &tractions, shrink, least);
-            z.push(factor);
-            let found = balance(&sets, &rows, &needed, &mut z);
-            let factor = z.pop().unwrap_or(factor);
-            if found {
-                return Ok((z, factor));
-            }
-            if outside.is_none() && factor.is_finite() {
-                outside = Some((z, factor));
-            }
-        }
-    }
-    match outside {
-        Some(found) if lenient => Ok(found),
-        _ => Err(RecoverError::Unbalanced(statics.elements.model().parts.join(", "))),
-    }
+    let needed: Vec<f64> = modes.iter().map(|m| -dot(&m.unknowns, &dead)).collect();
+    let balance = InterfaceBalance {
+        sets: &sets,
+        rows: &rows,
+        needed: &needed,
+        margins: &INSIDE,
+        pressure: largest_traction(model, Loads::at(factor)),
+    };
+    let with_factor = |(z, balanced): Forces| (z, balanced.unwrap_or(factor));
+    balance.find(&tractions, Some(factor)).map(with_factor).or_else(|none| match none.nearest {
+        Some(found) if lenient => Ok(with_factor(found)),
+        _ => Err(unbalanced(model, modes, none.driven.as_deref())),
+    })
 }
-
-/// The nearest forces inside the sets, with a margin of `shrink` times the pressure in cones and
-/// `shrink` times the strength in balls. Forces with less pressure than `least` become zero.
-fn inside(sets: &[Within], z: &[f64], shrink: f64, least: f64) -> Vec<f64> {
-    let mut z = z.to_vec();
-    for set in sets {
-        let Within::Cone { start, dim } = *set else {
-            set.draw_in(&mut z, shrink);
-            continue;
-        };
-        let force = &mut z[start..start + dim];
-        if least > 0.0 && force[0] < least {
-            force.fill(0.0);
-        }
-        into_cone(force, 1.0 - shrink);
-    }
-    z
-}
-
-#[cfg(test)]
-mod tests;

@@ -17,6 +17,7 @@ use crate::elements::yielding_element::YIELD_ROWS;
 use crate::model::{AnalysisModel, ModelError};
 use crate::programs::{Kinematic, Static};
 use crate::recover::elastic::RecoverError;
+use crate::recover::moving_parts::mechanism;
 use crate::recover::plastic::{approximate_stress, plastic_motion, yielding_stress};
 use crate::solve::{Patterns, Solution, SolveOptions};
 
@@ -184,7 +185,7 @@ impl DiscreteProgram for HenckyKinematic {
         let k = &self.kinematic;
         let points = |e: usize| if k.split[e] { 16 } else { 4 };
         let rest = solution.z.get(k.program.g.nrows()..).unwrap_or_default();
-        let motion = diagnosis::mechanism(model, k.motion(model, &solution.x));
+        let motion = mechanism(model, k.motion(model, &solution.x));
         collapse(model, &k.own, points, rest, motion)
     }
 
@@ -239,7 +240,7 @@ impl<'a> DiscreteProgram for HenckyStatic<'a> {
     fn mechanism(&self, model: &AnalysisModel, solution: &Solution) -> String {
         let s = &self.statics;
         let rest = solution.z.get(s.program.g.nrows()..).unwrap_or_default();
-        let motion = diagnosis::mechanism(model, s.motion(model, &solution.x));
+        let motion = mechanism(model, s.motion(model, &solution.x));
         collapse(model, &s.own, |_| YIELD_POINTS, rest, motion)
     }
 

@@ -1,6 +1,5 @@
 //! Load factors that are proved without any program: without limit, or zero.
 
-use crate::analysis::diagnosis;
 use crate::analysis::limit::pass::LimitPass;
 use crate::analysis::limit::programs::dead_stress;
 use crate::analysis::pass::PassError;
@@ -10,12 +9,13 @@ use crate::certify::limit_certificate::certify_lower;
 use crate::certify::velocity_field::VelocityField;
 use crate::model::AnalysisModel;
 use crate::recover::elastic::RecoverError;
+use crate::recover::moving_parts::mechanism;
 use crate::recover::{free_mechanism, unlimited};
 use crate::solve::Patterns;
 
 /// The parts that velocities move, as text.
 pub(super) fn moving_parts(model: &AnalysisModel, field: &VelocityField) -> String {
-    diagnosis::mechanism(model, model.node_parts().into_iter().zip(field.nodes.u.iter().copied()))
+    mechanism(model, model.node_parts().into_iter().zip(field.nodes.u.iter().copied()))
 }
 
 /// The pass of a load factor without limit or of zero; `None` where neither can be proved.
