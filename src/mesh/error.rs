@@ -168,6 +168,12 @@ pub enum MeshError {
         /// The limit \[mm³\].
         limit: f64,
     },
+    /// A tet that is flat or inverted and could not be mended.
+    #[error("a tetrahedron of the mesh is flat and could not be mended: {why}")]
+    NotMended {
+        /// What stands against it.
+        why: String,
+    },
     /// Two elements with the same nodes.
     #[error("{kind} {element} has the same nodes as {kind} {first}")]
     Duplicate {
@@ -306,6 +312,7 @@ impl MeshError {
                 "remesh with `Mesh.Optimize = 1;` or `Mesh.Algorithm3D = 10;`, or heal the \
                  geometry",
             ),
+            E::NotMended { .. } => ("mesh/flat", None, "choose other element sizes"),
             E::Duplicate { at, .. } => (
                 "mesh/duplicate",
                 Some(at),

@@ -1,10 +1,13 @@
-//! Meshes a joint: writes the script, runs the mesher, names bodies and faces, and checks the mesh.
+//! Meshes a joint: writes the script, runs the mesher, mends flat tets, names bodies and faces, and
+//! checks the mesh.
+
+mod attempts;
 
 use super::gmsh::Mesher;
 use super::mesher_error::MesherError;
 use super::naming::{self, Checks};
 use super::quality::{self, BodyQuality};
-use super::{MeshError, TetMesh, msh, msh_write};
+use super::{MeshError, TetMesh, mend, msh, msh_write};
 use crate::assembly::Assembly;
 use crate::assembly::assembly::SymmetryPlane;
 use crate::diag::{Diagnostic, Diagnostics, Place};
@@ -107,48 +110,10 @@ pub fn mesh_joint(
         msh_write::write_whole(&dir.join(SIZES_FILE), view)?;
     }
     let mesher = mesher(options)?;
-    let mut best: Option<JointMesh> = None;
-    for (attempt, scale) in SCALES.into_iter().enumerate() {
-        let last = attempt + 1 == SCALES.len();
-        let geo = if attempt == 0 {
-            geo.clone()
-        } else {
-            format!("{geo}Mesh.MeshSizeFactor = {scale};\n")
-        };
-        progress(if attempt == 0 { "meshing" } else { "meshing again, a tet was all but flat" });
-        let left = options.time_limit.saturating_sub(started.elapsed());
-        let found = match mesh_once(&geo, &scene, (&mesher, left), options, progress) {
-            // a tet with a volume of nearly zero is a sliver that rounding has flattened
-            Err(faults)
-                if !(last && best.is_none())
-                    && faults.iter().all(|d| FLAT_CODES.contains(&d.code)) =>
-            {
-                continue;
-            }
-            found => JointMesh { seconds: started.elapsed().as_secs_f64(), ..found? },
-        };
-        let worst = found.worst_dihedral();
-        if best.as_ref().is_none_or(|b| b.worst_dihedral() < worst) {
-            best = Some(found);
-        }
-        if worst >= FLAT {
-            break;
-        }
-    }
-    best.ok_or_else(|| {
-        MesherError::NoOutput { what: "mesh", why: "every attempt left flat tets".into() }.into()
+    attempts::best(options, started, progress, &mut |extra, left, progress| {
+        mesh_once(&format!("{geo}{extra}"), &scene, (&mesher, left), options, progress)
     })
 }
-
-/// Smallest accepted dihedral angle \[degrees\]; flatter tets spoil the optimisation problem of the
-/// static analysis.
-const FLAT: f64 = 0.5;
-/// Factors on the element sizes, one for each attempt. gmsh occasionally leaves a sliver where a
-/// fillet ends; with slightly different sizes it does not.
-const SCALES: [f64; 4] = [1.0, 0.97, 0.94, 1.03];
-/// Codes of errors that other element sizes cure: meshes with tets of nearly zero volume, and
-/// crashes of the mesher.
-const FLAT_CODES: [&str; 3] = ["mesh/flat", "mesh/folded", "mesher/crashed"];
 
 impl JointMesh {
     /// Smallest dihedral angle of all tets \[degrees\].
@@ -182,9 +147,14 @@ fn mesh_once(
     progress("naming bodies and faces");
     let mut mesh = read_output(&raw)?;
     remove(&raw)?;
+    let mended = mend_flat(&mut mesh, scene, options, progress)?;
     let checks = naming::name_and_check(&mut mesh, scene)?;
+    let mut quality = quality::table(&mesh);
+    for (name, tets) in mended {
+        quality.iter_mut().filter(|row| row.body == name).for_each(|row| row.mended = tets);
+    }
     Ok(JointMesh {
-        quality: quality::table(&mesh),
+        quality,
         mesh,
         checks,
         copies: scene.copies(),
@@ -194,6 +164,30 @@ fn mesh_once(
         mesher_seconds,
         seconds: mesher_seconds,
     })
+}
+
+/// Mends flat tets, if there are any; returns their number in each body. The mesh stays as it is if
+/// it has none that must be mended and none can be.
+fn mend_flat(
+    mesh: &mut TetMesh,
+    scene: &Scene,
+    options: &MeshOptions,
+    progress: &mut dyn FnMut(&str),
+) -> Result<Vec<(String, usize)>, MeshError> {
+    let Some(worst) = mend::worst_flat(mesh) else { return Ok(Vec::new()) };
+    naming::name_imprints(mesh, scene);
+    let stop = || options.interrupt.as_ref().is_some_and(|i| i.load(Ordering::Relaxed));
+    let mended = mend::mend(mesh, &stop);
+    mesh.faces.clear();
+    match mended {
+        Ok((made, mended)) => {
+            progress(&mended.words());
+            *mesh = TetMesh { faces: Vec::new(), ..made };
+            Ok(mesh.bodies.iter().cloned().zip(mended.of_body).collect())
+        }
+        Err(why) if worst <= 0.0 => Err(MeshError::NotMended { why }),
+        Err(_) => Ok(Vec::new()),
+    }
 }
 
 /// Writes the whole joint as a STEP file with true circles and arcs; each part is a separate solid.
@@ -249,9 +243,9 @@ fn read_output(raw: &Path) -> Result<TetMesh, Diagnostics> {
         Ok(m) if m.len() == 0 => return Err(damaged("it is empty".into())),
         Ok(_) => {}
     }
-    msh::read(raw).map_err(|error| match error {
+    msh::read_to_mend(raw).map_err(|error| match error {
         // the user did not write this file, so its line numbers would not help
-        MeshError::NoTets { .. } | MeshError::Flat { .. } | MeshError::Folded { .. } => {
+        MeshError::NoTets { .. } | MeshError::Folded { .. } => {
             let mut d = Diagnostic::from(error)
                 .help("try other element sizes: `--size-factor 0.9`, or `analysis.mesh.size`");
             d.place = Place::default();

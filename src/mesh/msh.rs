@@ -23,13 +23,26 @@ pub fn read(path: &Path) -> Result<TetMesh, MeshError> {
 
 /// Like [`read`], with the notes of the reader.
 pub fn read_with_notes(path: &Path) -> Result<(TetMesh, Vec<String>), MeshError> {
-    let bytes = text_file::bytes(path)
-        .map_err(|source| MeshError::Io { at: MshPlace { file: path.into(), line: 0 }, source })?;
-    parse(&bytes, path)
+    parse(&bytes(path)?, path)
+}
+
+/// Like [`read`], but lets flat and inverted tets pass: those are to be mended. The tets are
+/// oriented alike by their common faces instead of by their volumes.
+pub fn read_to_mend(path: &Path) -> Result<TetMesh, MeshError> {
+    content(&bytes(path)?, path, true).map(|(mesh, _)| mesh)
+}
+
+fn bytes(path: &Path) -> Result<Vec<u8>, MeshError> {
+    text_file::bytes(path)
+        .map_err(|source| MeshError::Io { at: MshPlace { file: path.into(), line: 0 }, source })
 }
 
 /// Reads the bytes of a mesh file; `file` is the name for messages.
 pub fn parse(bytes: &[u8], file: &Path) -> Result<(TetMesh, Vec<String>), MeshError> {
+    content(bytes, file, false)
+}
+
+fn content(bytes: &[u8], file: &Path, flat_too: bool) -> Result<(TetMesh, Vec<String>), MeshError> {
     let at = |line| MshPlace { file: file.to_path_buf(), line };
     // the header is read as bytes, because no text follows it in a binary file
     let mut head =
@@ -54,7 +67,7 @@ pub fn parse(bytes: &[u8], file: &Path) -> Result<(TetMesh, Vec<String>), MeshEr
     })?;
     let mut lines = Lines::new(text, file);
     let raw = if version == "2.2" { v2::read(&mut lines)? } else { v4::read(&mut lines)? };
-    check::finish(raw, file)
+    check::finish(raw, file, flat_too)
 }
 
 #[cfg(test)]

@@ -46,6 +46,37 @@ pub fn name_and_check(mesh: &mut TetMesh, scene: &Scene) -> Result<Checks, Diagn
     Ok(checks)
 }
 
+/// Names, for the mending of a mesh that is not yet checked, what is imprinted on the faces that
+/// bound bodies and the mesher's volumes: the parts of supports, loads, contacts and welds.
+/// Symmetry planes are bounded by edges of the bodies anyway.
+pub fn name_imprints(mesh: &mut TetMesh, scene: &Scene) {
+    snap(mesh, scene);
+    let table = FaceTable::new(&mesh.tets);
+    let given = |r: &FaceRow| {
+        let e = r.tet as usize;
+        (mesh.tet_body[e], mesh.tet_region.get(e))
+    };
+    let bounding: Vec<[u32; 3]> = table
+        .faces()
+        .filter(|rows| rows.len() == 1 || rows.windows(2).any(|w| given(&w[0]) != given(&w[1])))
+        .map(|rows| nodes_of(mesh, &rows[0]))
+        .collect();
+    let joint = scene.assembly;
+    let faces = joint.faces.iter().map(|f| (&f.name, &f.surface));
+    let welds = joint.welds.iter().map(|w| (&w.name, &w.surface));
+    let contacts = joint.interfaces.iter().filter_map(|i| i.surface.as_ref().map(|(n, s)| (n, s)));
+    let cuts = joint.preloads.iter().map(|p| (&p.cut, &p.surface));
+    let named = faces.chain(welds).chain(contacts).chain(cuts).map(|(name, surface)| NamedFaces {
+        name: name.clone(),
+        triangles: bounding
+            .iter()
+            .filter(|t| on_surface(surface, &corners(mesh, **t)))
+            .copied()
+            .collect(),
+    });
+    mesh.faces = named.collect();
+}
+
 /// Renumbers the bodies of the mesh in the order of the scene.
 fn order_bodies(mesh: &mut TetMesh, scene: &Scene) -> Result<(), Diagnostics> {
     let mut faults = Vec::new();

@@ -52,8 +52,9 @@ pub(super) fn run_logged(
     if text.contains("No space left on device") {
         return Err(MesherError::DiskFull { file: final_path(dir) });
     }
-    // SIGABRT, SIGFPE, SIGSEGV, SIGBUS come from the program itself
-    if let Some(signal) = killed_by(&status).filter(|s| [6, 7, 8, 11].contains(s)) {
+    // a shell in front of the program reports its signal as exit code 128 + signal
+    let reported = || status.code().map(|code| code - 128);
+    if let Some(signal) = killed_by(&status).or_else(reported).filter(|s| FAULTS.contains(s)) {
         return Err(MesherError::Crashed { signal });
     }
     if let Some(signal) = killed_by(&status) {
@@ -61,6 +62,9 @@ pub(super) fn run_logged(
     }
     Ok((status, text))
 }
+
+/// SIGABRT, SIGBUS, SIGFPE, SIGSEGV: they come from the program itself.
+const FAULTS: [i32; 4] = [6, 7, 8, 11];
 
 /// Longest time for an answer.
 const PROBE: Duration = Duration::from_secs(60);

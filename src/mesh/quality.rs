@@ -24,6 +24,14 @@ pub struct BodyQuality {
     /// Fraction of the tets with all four corners on the surface of the body; such a tet spans the
     /// whole thickness.
     pub surface_only: f64,
+    /// Number of flat tets in the mesher's mesh that were mended ([`super::mend`]).
+    #[serde(skip_serializing_if = "is_zero")]
+    pub mended: usize,
+}
+
+/// Most meshes have nothing to mend; their tables do not mention it.
+fn is_zero(count: &usize) -> bool {
+    *count == 0
 }
 
 /// The table, one row per body in the mesh's order.
@@ -48,6 +56,7 @@ pub fn table(mesh: &TetMesh) -> Vec<BodyQuality> {
             median_dihedral: angles.get(angles.len() / 2).copied().unwrap_or(f64::NAN),
             worst_aspect: of_body.iter().map(|&e| aspect(&mesh.corners(e))).fold(0.0, f64::max),
             surface_only: shallow as f64 / of_body.len().max(1) as f64,
+            mended: 0,
         });
     }
     rows
@@ -57,12 +66,20 @@ pub fn table(mesh: &TetMesh) -> Vec<BodyQuality> {
 pub fn text(rows: &[BodyQuality]) -> String {
     use std::fmt::Write;
     let width = rows.iter().map(|r| r.body.len()).max().unwrap_or(0).max(5);
+    let mending = rows.iter().any(|r| r.mended > 0);
     let mut out = format!(
-        "{:width$}  {:>8}  {:>12}  {:>9}  {:>9}  {:>7}  {:>8}\n",
-        "body", "tets", "volume mm3", "worst deg", "median", "aspect", "surface"
+        "{:width$}  {:>8}  {:>12}  {:>9}  {:>9}  {:>7}  {:>8}{}\n",
+        "body",
+        "tets",
+        "volume mm3",
+        "worst deg",
+        "median",
+        "aspect",
+        "surface",
+        if mending { "    mended" } else { "" }
     );
     for r in rows {
-        let _ = writeln!(
+        let _ = write!(
             out,
             "{:width$}  {:>8}  {:>12.0}  {:>9.2}  {:>9.1}  {:>7.1}  {:>7.0}%",
             r.body,
@@ -73,6 +90,10 @@ pub fn text(rows: &[BodyQuality]) -> String {
             r.worst_aspect,
             100.0 * r.surface_only
         );
+        if mending {
+            let _ = write!(out, "  {:>8}", r.mended);
+        }
+        out.push('\n');
     }
     out
 }
@@ -104,14 +125,14 @@ fn area_vectors(x: &[V3; 4]) -> [V3; 4] {
 /// Smallest of the six dihedral angles \[degrees\].
 pub fn smallest_dihedral(x: &[V3; 4]) -> f64 {
     let n = area_vectors(x);
-    let mut smallest = 180.0f64;
+    let mut largest = -1.0f64;
     for i in 0..4 {
         for j in i + 1..4 {
             let c = -dot(n[i], n[j]) / (dot(n[i], n[i]) * dot(n[j], n[j])).sqrt();
-            smallest = smallest.min(c.clamp(-1.0, 1.0).acos().to_degrees());
+            largest = largest.max(c);
         }
     }
-    smallest
+    largest.min(1.0).acos().to_degrees()
 }
 
 /// Longest edge divided by smallest height, relative to the regular tet (1 = regular).
@@ -119,12 +140,20 @@ pub fn aspect(x: &[V3; 4]) -> f64 {
     length_over_thickness(x) * (2.0f64 / 3.0).sqrt()
 }
 
+/// A tet is flat if its volume is below this factor times the cube of its longest edge. Slivers of
+/// a thousandth of a degree (1e-6) still pass; the round-off in the product of three edges is
+/// 1e-16.
+pub const FLAT_VOLUME: f64 = 1e-12;
+
+/// Length of the longest edge \[mm\].
+pub fn longest_edge(x: &[V3; 4]) -> f64 {
+    let squares = super::tet::EDGES.map(|[i, j]| sub(x[j], x[i])).map(|d| dot(d, d));
+    squares.into_iter().fold(0.0, f64::max).sqrt()
+}
+
 /// Longest edge divided by smallest height.
 pub fn length_over_thickness(x: &[V3; 4]) -> f64 {
-    let mut longest = 0.0f64;
-    for [i, j] in super::tet::EDGES {
-        longest = longest.max(norm(sub(x[j], x[i])));
-    }
+    let longest = longest_edge(x);
     let volume = super::tet::signed_volume(x);
     let largest = area_vectors(x).map(norm).into_iter().fold(0.0, f64::max);
     longest * largest / (3.0 * volume)

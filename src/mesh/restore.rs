@@ -50,7 +50,7 @@ pub fn restore(old: &TetMesh, p: &Polyhedron, made: MeditMesh) -> Result<TetMesh
 }
 
 /// The facet of each face of the skeleton.
-fn facets_of_faces(
+pub(super) fn facets_of_faces(
     p: &Polyhedron,
     tets: &[[u32; 4]],
     regions: &[u32],
@@ -145,7 +145,7 @@ fn foot(s: &Segment, x: &V3) -> V3 {
     along(s.ends[0], t, d)
 }
 
-fn assemble(
+pub(super) fn assemble(
     old: &TetMesh,
     p: &Polyhedron,
     nodes: Vec<V3>,
@@ -178,7 +178,7 @@ fn assemble(
 }
 
 /// Compares the volume of each region and the area of each facet with the old ones.
-fn check(
+pub(super) fn check(
     p: &Polyhedron,
     mesh: &TetMesh,
     regions: &[u32],
@@ -211,7 +211,7 @@ fn check(
 }
 
 /// The mesh without nodes that belong to no tet.
-fn dropped(mut mesh: TetMesh) -> TetMesh {
+pub(super) fn dropped(mut mesh: TetMesh) -> TetMesh {
     let mut number = vec![u32::MAX; mesh.nodes.len()];
     mesh.tets.iter().flatten().for_each(|n| number[*n as usize] = 0);
     let mut nodes = Vec::with_capacity(mesh.nodes.len());

@@ -2,19 +2,21 @@
 
 use super::raw::{Raw, RawCell};
 use crate::mesh::error::{MeshError, MshPlace};
+use crate::mesh::orient;
+use crate::mesh::quality::{FLAT_VOLUME, longest_edge};
 use crate::mesh::tet::signed_volume;
 use crate::mesh::topology::{FaceTable, sorted};
 use crate::mesh::{NamedFaces, TetMesh};
 use std::collections::{BTreeMap, HashMap};
 use std::path::Path;
 
-/// A tet is flat if its volume is below this factor times the cube of its longest edge. Slivers of
-/// a thousandth of a degree (1e-6) still pass; the round-off in the product of three edges is
-/// 1e-16.
-const FLAT: f64 = 1e-12;
-
-/// Checks the raw mesh, drops unused nodes, and reorients tets of negative volume.
-pub(super) fn finish(raw: Raw, file: &Path) -> Result<(TetMesh, Vec<String>), MeshError> {
+/// Checks the raw mesh, drops unused nodes, and orients the tets alike. Unless `flat_too`, flat and
+/// inverted tets are errors.
+pub(super) fn finish(
+    raw: Raw,
+    file: &Path,
+    flat_too: bool,
+) -> Result<(TetMesh, Vec<String>), MeshError> {
     let at = |line| MshPlace { file: file.to_path_buf(), line };
     if raw.tets.is_empty() {
         return Err(MeshError::NoTets { at: at(0) });
@@ -40,32 +42,21 @@ pub(super) fn finish(raw: Raw, file: &Path) -> Result<(TetMesh, Vec<String>), Me
             mesh.nodes.push(*x);
         }
     }
-    let mut turned = 0;
-    for (t, raw_tet) in tets.iter_mut().zip(&raw.tets) {
-        *t = t.map(|n| new_index[n as usize]);
-        let x = t.map(|n| mesh.nodes[n as usize]);
-        let volume = signed_volume(&x);
-        let limit = FLAT * longest_edge(&x).powi(3);
-        if volume.abs() <= limit {
-            return Err(MeshError::Flat {
-                at: at(raw_tet.line),
-                element: raw_tet.tag,
-                volume,
-                limit,
-            });
-        }
-        if volume < 0.0 {
-            t.swap(2, 3);
-            turned += 1;
-        }
-    }
+    tets.iter_mut().for_each(|t| *t = t.map(|n| new_index[n as usize]));
     mesh.tets = tets;
+    let mut turned = 0;
+    if !flat_too {
+        turned = orient_by_volume(&mut mesh, &raw, file)?;
+    }
     let bodies = groups(raw.tets.iter().map(|t| t.physical));
     mesh.bodies = bodies.keys().map(|p| name(&raw, 3, *p)).collect();
     mesh.tet_body = raw.tets.iter().map(|t| bodies[&t.physical]).collect();
     mesh.tet_region = regions(&raw, mesh.bodies.len());
 
     check_tets(&mesh, &raw, file)?;
+    if flat_too {
+        turned = orient::alike(&mut mesh).map_err(|pair| folded(pair, &raw, file))?;
+    }
     let table = FaceTable::new(&mesh.tets);
     check_sides(&table, &raw, file)?;
 
@@ -129,14 +120,23 @@ fn groups(tags: impl Iterator<Item = i64>) -> BTreeMap<i64, u32> {
     all
 }
 
-fn longest_edge(x: &[[f64; 3]; 4]) -> f64 {
-    let mut longest: f64 = 0.0;
-    for i in 0..4 {
-        for j in 0..i {
-            longest = longest.max((0..3).map(|k| (x[i][k] - x[j][k]).powi(2)).sum());
+/// Turns tets of negative volume; returns their number. Flat tets are errors.
+fn orient_by_volume(mesh: &mut TetMesh, raw: &Raw, file: &Path) -> Result<usize, MeshError> {
+    let mut turned = 0;
+    for (e, raw_tet) in raw.tets.iter().enumerate() {
+        let x = mesh.corners(e);
+        let volume = signed_volume(&x);
+        let limit = FLAT_VOLUME * longest_edge(&x).powi(3);
+        if volume.abs() <= limit {
+            let at = MshPlace { file: file.to_path_buf(), line: raw_tet.line };
+            return Err(MeshError::Flat { at, element: raw_tet.tag, volume, limit });
+        }
+        if volume < 0.0 {
+            mesh.tets[e].swap(2, 3);
+            turned += 1;
         }
     }
-    longest.sqrt()
+    Ok(turned)
 }
 
 /// Checks that no two tets have the same nodes.
@@ -165,17 +165,20 @@ fn check_tets(mesh: &TetMesh, raw: &Raw, file: &Path) -> Result<(), MeshError> {
     }
 }
 
-/// Checks that a face has at most two tets, on opposite sides. As all volumes are positive, two
-/// tets lie on opposite sides exactly if their outward orders of the face are opposite.
+/// The error for two tets that overlap.
+fn folded([first, second]: [u32; 2], raw: &Raw, file: &Path) -> MeshError {
+    let (element, other) = (&raw.tets[second as usize], &raw.tets[first as usize]);
+    let at = MshPlace { file: file.to_path_buf(), line: element.line };
+    MeshError::Folded { at, element: element.tag, other: other.tag }
+}
+
+/// Checks that a face has at most two tets, on opposite sides: their outward orders of the face are
+/// opposite.
 fn check_sides(table: &FaceTable, raw: &Raw, file: &Path) -> Result<(), MeshError> {
     for owners in table.faces() {
         if owners.len() > 2 || (owners.len() == 2 && owners[0].even == owners[1].even) {
-            let same =
-                if owners[0].even == owners[1].even { (1, 0) } else { (owners.len() - 1, 0) };
-            let (element, other) =
-                (&raw.tets[owners[same.0].tet as usize], &raw.tets[owners[same.1].tet as usize]);
-            let at = MshPlace { file: file.to_path_buf(), line: element.line };
-            return Err(MeshError::Folded { at, element: element.tag, other: other.tag });
+            let later = if owners[0].even == owners[1].even { 1 } else { owners.len() - 1 };
+            return Err(folded([owners[0].tet, owners[later].tet], raw, file));
         }
     }
     Ok(())
