@@ -9,6 +9,10 @@ mod bench;
 mod common;
 #[path = "cli/coulomb.rs"]
 mod coulomb;
+#[path = "cli/forged_inputs.rs"]
+mod forged_inputs;
+#[path = "cli/forgeries.rs"]
+mod forgeries;
 #[cfg(unix)]
 #[path = "cli/interrupts.rs"]
 mod interrupts;

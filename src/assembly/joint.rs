@@ -10,8 +10,9 @@ use super::inputs::Inputs;
 use super::origin::Origin;
 use super::part::Hole;
 use super::scope::{Resolved, Scope};
+use super::symmetry;
 use super::template::Template;
-use super::{symmetry, template_file};
+use super::template_file::{self, ReadTemplate, Templates};
 use crate::catalog::Catalog;
 use crate::diag::{AtLeastOne, Diagnostic, Diagnostics};
 use crate::spec::connection::ConnectionSpec;
@@ -42,14 +43,20 @@ pub struct Joint {
 pub struct LoadedTemplate {
     template: Template,
     origin: Origin,
+    texts: Vec<String>,
 }
 
 impl LoadedTemplate {
     /// Reads the template of a spec. `base` is the folder of the spec, from which template paths
     /// are resolved.
     pub fn of(spec: &Parsed<ConnectionSpec>, base: &Path) -> Result<Self, Diagnostics> {
-        let (template, origin) =
-            template_file::load(&spec.value.template, base).map_err(|faults| {
+        Self::read(spec, Templates::Beside(base))
+    }
+
+    /// Reads the template of a spec from the given place.
+    pub fn read(spec: &Parsed<ConnectionSpec>, files: Templates<'_>) -> Result<Self, Diagnostics> {
+        let ReadTemplate { template, origin, texts } =
+            template_file::read(&spec.value.template, files).map_err(|faults| {
                 let at_spec = |d: Diagnostic| match &d.place {
                     p if p.file.is_none() => {
                         Diagnostic { place: spec.index.place("template"), ..d }
@@ -58,7 +65,12 @@ impl LoadedTemplate {
                 };
                 faults.map(at_spec)
             })?;
-        Ok(Self { template, origin })
+        Ok(Self { template, origin, texts })
+    }
+
+    /// The texts of the user's own files: of the template, of the one that it extends, and so on.
+    pub fn own_texts(&self) -> &[String] {
+        &self.texts
     }
 
     /// The content of the template as text, for hashes: that of the file and of those it extends.
@@ -80,7 +92,7 @@ pub fn build(
 /// Builds the joint that a spec describes from its template.
 pub fn build_from(
     spec: &Parsed<ConnectionSpec>,
-    LoadedTemplate { template, origin }: &LoadedTemplate,
+    LoadedTemplate { template, origin, .. }: &LoadedTemplate,
     catalog: &Catalog,
 ) -> Result<Joint, Diagnostics> {
     // an error in a user's template is reported at its place in the template file

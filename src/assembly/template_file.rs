@@ -7,6 +7,32 @@ use crate::spec::yaml::{self, Document, Parsed};
 use crate::text_file;
 use std::path::{Path, PathBuf};
 
+/// Where the files of the user's own templates are read.
+#[derive(Clone, Copy, Debug)]
+pub enum Templates<'a> {
+    /// By their paths, which are relative to this folder, that of the spec.
+    Beside(&'a Path),
+    /// In this folder as [`stored_name`] names them, whatever paths the spec and the templates
+    /// give: the copies in a result folder.
+    Stored(&'a Path),
+}
+
+/// Name of the copy of a template in a result folder. The spec's own template has number 0; then
+/// comes the one that it extends, and so on.
+pub fn stored_name(number: usize) -> String {
+    format!("template_{number}.yaml")
+}
+
+/// A template that was read.
+pub struct ReadTemplate {
+    /// The template, with all that it extends.
+    pub template: Template,
+    /// The place of its entries.
+    pub origin: Origin,
+    /// The texts of the user's files among it and those that it extends, in this order.
+    pub texts: Vec<String>,
+}
+
 /// The shipped templates, as name and text in the order of the names. They are the files of
 /// `templates/`.
 pub const SHIPPED: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/templates.rs"));
@@ -22,19 +48,28 @@ const MERGED: [&str; 1] = ["hand_checks"];
 /// Reads a shipped template or a user's file. `name` is a path if it ends in `.yaml` or `.yml` or
 /// contains a separator; it is then relative to `base` (the folder of the spec).
 pub fn load(name: &str, base: &Path) -> Result<(Template, Origin), Diagnostics> {
-    let source = find(name, base)?;
+    read(name, Templates::Beside(base)).map(|r| (r.template, r.origin))
+}
+
+/// Reads a shipped template or a user's file as [`load`] does, from the given place.
+pub fn read(name: &str, files: Templates<'_>) -> Result<ReadTemplate, Diagnostics> {
+    let base = match files {
+        Templates::Beside(base) => base,
+        Templates::Stored(_) => Path::new("."),
+    };
+    let source = find(name, base, 0, files)?;
     let document = Document::read(&source.text, &source.file)?;
+    let mut chain = vec![source.clone()];
     let Parsed { value, index } = match document.text("extends")?.map(str::to_owned) {
         None => yaml::parse::<Template>(&source.text, &source.file)?,
-        Some(other) => {
-            extended(document, &other, &mut vec![source.clone()])?.typed::<Template>()?
-        }
+        Some(other) => extended(document, &other, &mut chain, files)?.typed::<Template>()?,
     };
     let origin = match source.shipped {
         true => Origin::Shipped,
         false => Origin::File { file: source.file, index },
     };
-    Ok((value, origin))
+    let texts = chain.into_iter().filter(|s| !s.shipped).map(|s| s.text).collect();
+    Ok(ReadTemplate { template: value, origin, texts })
 }
 
 /// Templates in a chain of `extends`, at most.
@@ -57,11 +92,13 @@ impl Source {
 }
 
 /// A document merged with the template `name` that it extends. `above` is the chain of templates
-/// that lead to the document; the last one is the document's own.
+/// that lead to the document; the last one is the document's own. The templates that it extends are
+/// added.
 fn extended(
     document: Document,
     name: &str,
     above: &mut Vec<Source>,
+    files: Templates<'_>,
 ) -> Result<Document, Diagnostics> {
     let here = document.place("extends");
     let folder = above.last().and_then(|s| s.file.parent()).unwrap_or(Path::new("."));
@@ -74,7 +111,7 @@ fn extended(
         return Err(Diagnostic { place: here, ..d }.into());
     }
     // a template that is not found is a fault of the key that names it
-    let source = find(name, folder).map_err(|faults| {
+    let source = find(name, folder, above.len(), files).map_err(|faults| {
         faults.map(|d| match &d.place.file {
             None => Diagnostic { place: here.clone(), ..d },
             Some(_) => d,
@@ -91,20 +128,27 @@ fn extended(
         return Err(Diagnostic { place: here, ..d }.into());
     }
     let base = Document::read(&source.text, &source.file)?;
+    above.push(source);
     let base = match base.text("extends")?.map(str::to_owned) {
         None => base,
-        Some(other) => {
-            above.push(source);
-            extended(base, &other, above)?
-        }
+        Some(other) => extended(base, &other, above, files)?,
     };
     Ok(document.onto(base, &MERGED))
 }
 
-/// Finds a shipped template by its name, or reads a file.
-fn find(name: &str, base: &Path) -> Result<Source, Diagnostics> {
+/// Finds a shipped template by its name, or reads a file. `number`: how many templates lead to it.
+fn find(
+    name: &str,
+    base: &Path,
+    number: usize,
+    files: Templates<'_>,
+) -> Result<Source, Diagnostics> {
     if is_path(name) {
-        let file = if base == Path::new(".") { PathBuf::from(name) } else { base.join(name) };
+        let file = match files {
+            Templates::Stored(folder) => folder.join(stored_name(number)),
+            Templates::Beside(_) if base == Path::new(".") => PathBuf::from(name),
+            Templates::Beside(_) => base.join(name),
+        };
         let text = text_file::read(&file, |e| {
             Diagnostic::input(
                 "template/unreadable",

@@ -122,11 +122,13 @@ impl Catalog {
         if files.is_empty() {
             return Err(CatalogError::Empty { path: path.to_owned() });
         }
-        let mut tables = Vec::new();
+        let (mut tables, mut own) = (Vec::new(), Vec::new());
         for file in files {
             let unread = |cause| CatalogError::Io { path: file.clone(), cause }.into();
             let text = text_file::read(&file, unread).map_err(CatalogError::Unread)?;
             tables.push(RawTable::parse(&file.display().to_string(), &text)?);
+            let name = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
+            own.push((name, text));
         }
         let mut next = self.clone();
         let known = next.profiles().len();
@@ -134,6 +136,7 @@ impl Catalog {
         let warnings: Vec<_> =
             next.profiles()[known..].iter().filter_map(property_warning).collect();
         next.warnings.extend(warnings);
+        next.own_tables.extend(own);
         *self = next;
         Ok(())
     }

@@ -58,9 +58,15 @@ pub struct Catalog {
     annexes: Named<NationalAnnex>,
     provenance: BTreeMap<String, Provenance>,
     warnings: Vec<Diagnostic>,
+    own_tables: Vec<(String, String)>,
 }
 
 impl Catalog {
+    /// The user's tables that were added, as file name and text.
+    pub fn own_tables(&self) -> &[(String, String)] {
+        &self.own_tables
+    }
+
     /// The rolled I or H section with this name.
     pub fn profile(&self, name: &str) -> Result<&IProfile, CatalogError> {
         self.profiles.get(name)

@@ -13,7 +13,7 @@ use crate::refine::plan::Stop;
 use crate::report::console::log::Log;
 use crate::report::figures::percent_up;
 use crate::result::combine::{PassResult, best};
-use crate::result::result_file::CaseResult;
+use crate::result::result_file::{CaseResult, HistoryRow};
 use crate::spec::analysis::AnalysisKind;
 use std::sync::Arc;
 
@@ -103,7 +103,7 @@ fn finish(
     limits: &Limits,
 ) -> Result<Adapted, Diagnostics> {
     let mut entry = joined(name, &entries)?;
-    entry.history = entries.iter().flat_map(|e| e.entry.history.iter().cloned()).collect();
+    entry.history = entries.iter().flat_map(|e| rows(&e.entry, entry.is_strict())).collect();
     if let Some(last) = entries.last() {
         let new: Vec<String> =
             last.entry.warnings.iter().filter(|w| !entry.warnings.contains(w)).cloned().collect();
@@ -130,6 +130,16 @@ fn finish(
     let apart = ![b.lower, b.upper].contains(&b.frictionless);
     let frictionless = if apart { Some(take(b.frictionless)?) } else { None };
     Ok(Adapted { entry, upper, lower, frictionless, frictionless_index: b.frictionless })
+}
+
+/// The rows of a pass in the history of the answer. Beside strict bounds, the numbers of a mesh
+/// without a certificate would read as bounds: they are left out.
+fn rows(pass: &CaseResult, strict: bool) -> Vec<HistoryRow> {
+    let mut rows = pass.history.clone();
+    if strict && !pass.is_strict() {
+        rows.iter_mut().for_each(|r| (r.lower, r.upper, r.gap) = (None, None, None));
+    }
+    rows
 }
 
 /// The reason why the target gap was missed, with the remedy.

@@ -5,6 +5,7 @@ use crate::driver::by_metric::{ByMetric, Tools};
 use crate::driver::case::Case;
 use crate::driver::context::RunContext;
 use crate::driver::finish::Finished;
+use crate::driver::input_hash::model_hash;
 use crate::driver::limits::{Limits, WHEN_INTERRUPTED};
 use crate::driver::meshing::quality_table;
 use crate::driver::remesh::{ByBisection, Places, Remesh, remesher};
@@ -16,7 +17,6 @@ use crate::refine::plan;
 use crate::report::console::log::Log;
 use crate::result::file_names::file_stem;
 use crate::result::folder::ResultFolder;
-use crate::result::result_file::input_hash;
 use crate::spec::analysis::AnalysisSpec;
 use crate::spec::yaml;
 use crate::text_file;
@@ -63,7 +63,7 @@ pub fn analyse_model(
     let context = RunContext {
         project: vec![("title".into(), name.clone())],
         input_name: path.file_name().map_or_else(String::new, |s| s.to_string_lossy().into_owned()),
-        input_hash: input_hash(&[("model", text.as_bytes()), ("mesh", &mesh_bytes)]),
+        input_hash: model_hash(&text, &mesh_bytes),
         input_text: text,
         input_read,
         mesh_quality: quality_table(&quality::table(&model.mesh)),

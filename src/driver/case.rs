@@ -46,6 +46,11 @@ pub fn refuse_idle(case: &Case) -> Result<(), Diagnostics> {
     .into())
 }
 
+/// The warning about the cases that an interrupted run has not analysed.
+pub fn not_analysed(cases: &[String]) -> String {
+    format!("interrupted: not analysed were {}", cases.join(", "))
+}
+
 /// The stems of the file names of the cases. The kind of analysis is added if an earlier case has
 /// the same name.
 pub fn stems(cases: &[Case]) -> Vec<String> {

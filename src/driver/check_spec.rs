@@ -1,8 +1,9 @@
 //! The hand checks of a connection spec, without mesher or solver.
 
 use crate::checks::verdict::Verdict;
-use crate::diag::{Diagnostic, Diagnostics};
+use crate::diag::Diagnostics;
 use crate::driver::finish::{Analyses, Finished, finish};
+use crate::driver::input_hash::checked_hash;
 use crate::driver::interrupt::Interrupt;
 use crate::driver::spec_checks;
 use crate::driver::spec_context::{self, spec_context};
@@ -10,7 +11,6 @@ use crate::driver::spec_file;
 use crate::report::console::log::Log;
 use crate::result::folder::ResultFolder;
 use crate::result::result_file::ResultFile;
-use crate::result::result_file::input_hash;
 use std::path::Path;
 
 /// Checks a spec and writes report and drawings into `folder`. `catalog` is a catalogue folder that
@@ -30,12 +30,9 @@ pub fn check_spec(
     input.catalog.warnings().iter().for_each(|w| log.line(spec_file::catalog_warning(w)));
     let folder = ResultFolder::begin(folder)?;
     interrupt.begin_short(folder.give_up());
+    input.store(&folder)?;
     let mut context = spec_context(spec, &input, checks)?;
-    // the end plate as passed to the checks contains the values of the catalogue and the template
-    let seen = serde_json::to_string(&input.joint.end_plate).map_err(|e| {
-        Diagnostic::environment("cli/check", format!("the joint cannot be written: {e}"))
-    })?;
-    context.input_hash = input_hash(&[("spec", input.text.as_bytes()), ("joint", seen.as_bytes())]);
+    context.input_hash = checked_hash(&input)?;
     let mut result = ResultFile::new(context.input_hash.clone(), 1, Verdict::None);
     result.warnings.clone_from(&context.checks.notes);
     finish(result, context, Analyses::default(), folder, &log)

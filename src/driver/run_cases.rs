@@ -4,7 +4,7 @@ use crate::certify::faces::contact_faces;
 use crate::checks::verdict::{self, Verdict};
 use crate::diag::Diagnostics;
 use crate::driver::adaptive::{self, Adapted};
-use crate::driver::case::{Case, refuse_idle, stems};
+use crate::driver::case::{Case, not_analysed, refuse_idle, stems};
 use crate::driver::case_files::write_passes;
 use crate::driver::collapse_pictures::collapse_pictures;
 use crate::driver::context::RunContext;
@@ -57,9 +57,7 @@ pub fn run_cases(
     let patterns = Patterns::default();
     for (i, case) in cases.into_iter().enumerate() {
         if limits.interrupt.asked() && i > 0 {
-            result
-                .warnings
-                .push(format!("interrupted: not analysed were {}", asked[i..].join(", ")));
+            result.warnings.push(not_analysed(&asked[i..]));
             break;
         }
         note_traits(&case.model, &mut analyses);

@@ -2,15 +2,15 @@
 
 use crate::checks::{Analysed, HandChecks, Status, Topic, judge};
 use crate::diag::{Diagnostic, Diagnostics};
-use crate::driver::context::RunContext;
 use crate::driver::demands::{CaseDemand, demands};
 use crate::driver::finish::Finished;
+use crate::driver::input_hash::spec_hash;
 use crate::driver::limits::{Limits, WHEN_INTERRUPTED};
 use crate::driver::meshing::{Extent, find_mesher, mesh, mesh_options, quality_table};
 use crate::driver::run_cases::run_cases;
 use crate::driver::spec_cases::{cases, give_remesh};
 use crate::driver::spec_checks::{analysis_kinds, check_input};
-use crate::driver::spec_context::{own_rows, spec_checks, spec_context};
+use crate::driver::spec_context::{spec_checks, spec_context};
 use crate::driver::spec_file::{self, SpecFile};
 use crate::mesh::joint::JointMesh;
 use crate::mesh::msh_write;
@@ -18,12 +18,18 @@ use crate::refine::plan;
 use crate::report::console::log::Log;
 use crate::report::markdown::report_data::ResolvedValue;
 use crate::result::folder::ResultFolder;
-use crate::result::result_file::input_hash;
 use crate::spec::analysis::AnalysisKind;
 use crate::spec::yaml;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Instant;
+
+/// Name of the kind of analysis among the values that the report resolves.
+pub const KIND: &str = "analysis.kind";
+/// Name of the factor on the element sizes among them.
+pub const SIZE_FACTOR: &str = "mesh size factor";
+/// Origin of what an option of the command line sets.
+pub const COMMAND_LINE: &str = "command line";
 
 /// The spec to analyse, and the options that override it.
 #[derive(Clone, Debug)]
@@ -62,6 +68,7 @@ pub fn run_spec(run: &SpecRun, mut limits: Limits) -> Result<Finished, Diagnosti
     let mesher = find_mesher(&limits.interrupt, limits.time, &log)?;
     let folder = ResultFolder::begin(&run.folder)?;
     limits.interrupt.begin(&log, WHEN_INTERRUPTED, folder.give_up());
+    input.store(&folder)?;
     input.catalog.warnings().iter().for_each(|w| log.line(spec_file::catalog_warning(w)));
     report_checks(&checks, &demands(&input.spec.value.loads), &log);
     let start = Instant::now();
@@ -93,7 +100,7 @@ pub fn run_spec(run: &SpecRun, mut limits: Limits) -> Result<Finished, Diagnosti
     context.resolved.extend(run.overrides());
     let models =
         cases.iter().map(|c| yaml::to_string(&c.model_file.1)).collect::<Result<Vec<_>, _>>()?;
-    context.input_hash = spec_hash(&input, &meshed, &models, &context);
+    context.input_hash = spec_hash(&input, &kinds, run.extent, &models);
     context.mesh_quality = quality_table(&meshed.quality);
     context.mirror = meshed.symmetry_used.iter().map(|p| p.axis).collect();
     context.adapt = Some(plan::Limits {
@@ -110,13 +117,13 @@ impl SpecRun {
     fn overrides(&self) -> Vec<ResolvedValue> {
         let factor = Some(self.extent.size_factor).filter(|f| *f != 1.0);
         [
-            ("analysis.kind", self.kind.map(|k| k.word().to_string())),
+            (KIND, self.kind.map(|k| k.word().to_string())),
             ("analysis.max_passes", self.max_passes.map(|n| n.to_string())),
-            ("mesh size factor", factor.map(|f| f.to_string())),
+            (SIZE_FACTOR, factor.map(|f| f.to_string())),
         ]
         .into_iter()
         .filter_map(|(name, value)| {
-            let (name, origin) = (name.into(), "command line".into());
+            let (name, origin) = (name.into(), COMMAND_LINE.into());
             Some(ResolvedValue { name, value: value?, unit: String::new(), origin })
         })
         .collect()
@@ -131,24 +138,6 @@ fn keep(input: &SpecFile, meshed: &JointMesh, folder: &ResultFolder) -> Result<(
     folder.write("joint.json", text.as_bytes())?;
     folder.write("joint.geo", meshed.geo.as_bytes())?;
     Ok(())
-}
-
-/// Hash of the input. The models contain the values of the catalogue and the template, the script
-/// contains those of the mesher.
-fn spec_hash(
-    input: &SpecFile,
-    meshed: &JointMesh,
-    models: &[String],
-    context: &RunContext,
-) -> String {
-    let mut pieces: Vec<(&str, &[u8])> =
-        vec![("spec", input.text.as_bytes()), ("geo", meshed.geo.as_bytes())];
-    pieces.extend(models.iter().map(|m| ("model", m.as_bytes())));
-    let own = own_rows(context);
-    if !own.is_empty() {
-        pieces.push(("catalogue", own.as_bytes()));
-    }
-    input_hash(&pieces)
 }
 
 /// Reports the hand checks before meshing starts: faults of the detailing, and the verdict by code

@@ -1,16 +1,82 @@
 //! The cases of a spec on the mesh of its joint.
 
+use crate::assembly::assembly::SymmetryPlane;
 use crate::diag::Diagnostics;
 use crate::driver::case::Case;
 use crate::driver::interrupt::Interrupt;
 use crate::driver::remesh::{ByMap, Places};
 use crate::driver::spec_file::SpecFile;
+use crate::mesh::TetMesh;
 use crate::mesh::joint::{JointMesh, MeshOptions};
+use crate::model::file::ModelFile;
 use crate::model::from_joint;
 use crate::model::resolve::resolve;
 use crate::result::file_names::stem_of;
 use crate::spec::analysis::AnalysisKind;
 use crate::spec::polygon::PolygonSpec;
+
+/// A load case of a spec under one kind of analysis.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AskedCase {
+    /// Name of the load case.
+    pub name: String,
+    /// Kind of analysis.
+    pub kind: AnalysisKind,
+    /// True if an earlier kind of analysis has the same load case.
+    pub again: bool,
+    /// For a direction of the polygon: both actions in the units of its axes.
+    pub direction: Option<[f64; 2]>,
+}
+
+/// The load cases under each kind of analysis, then the directions of `polygon`, in the order in
+/// which they are analysed.
+pub fn asked_cases(
+    input: &SpecFile,
+    kinds: &[AnalysisKind],
+    polygon: Option<&PolygonSpec>,
+) -> Vec<AskedCase> {
+    let loads = &input.spec.value.loads;
+    let of_polygon = |name: &String| loads.iter().any(|l| l.of_polygon && l.name == *name);
+    let names = from_joint::cases(&input.joint.assembly);
+    let of_name = |name: &String| {
+        let of_kind = |(k, kind): (usize, &AnalysisKind)| AskedCase {
+            name: name.clone(),
+            kind: *kind,
+            again: k > 0,
+            direction: None,
+        };
+        kinds.iter().enumerate().map(of_kind).collect::<Vec<_>>()
+    };
+    let directions = polygon.map_or(Vec::new(), PolygonSpec::directions);
+    let directions = directions.into_iter().map(|d| AskedCase {
+        name: d.case,
+        kind: AnalysisKind::Limit,
+        again: false,
+        direction: Some(d.unit),
+    });
+    names.iter().filter(|n| !of_polygon(n)).flat_map(of_name).chain(directions).collect()
+}
+
+impl AskedCase {
+    /// The model on a mesh of the joint that uses these symmetry planes.
+    pub fn model_file(
+        &self,
+        input: &SpecFile,
+        mesh: &TetMesh,
+        symmetry_used: &[SymmetryPlane],
+    ) -> ModelFile {
+        let file = from_joint::model_file(
+            &input.joint.assembly,
+            mesh,
+            symmetry_used,
+            "mesh.msh",
+            &self.name,
+            self.kind,
+        );
+        let estimates = input.spec.value.analysis.coulomb_estimate && self.direction.is_none();
+        ModelFile { coulomb_estimate: estimates && self.kind == AnalysisKind::Limit, ..file }
+    }
+}
 
 /// A case for each load case and kind of analysis, and one for each direction of `polygon`.
 pub fn cases<'a>(
@@ -21,44 +87,25 @@ pub fn cases<'a>(
     mesh_seconds: f64,
     interrupt: &Interrupt,
 ) -> Result<Vec<Case<'a>>, Diagnostics> {
-    let loads = &input.spec.value.loads;
-    let of_polygon = |name: &String| loads.iter().any(|l| l.of_polygon && l.name == *name);
-    let directions = polygon.map_or(Vec::new(), PolygonSpec::directions);
-    let names = from_joint::cases(&input.joint.assembly);
-    let asked = names.iter().filter(|name| !of_polygon(name));
-    let cases = asked
-        .flat_map(|name| kinds.iter().enumerate().map(move |(k, kind)| (name, *kind, k > 0)))
-        .chain(directions.iter().map(|d| (&d.case, AnalysisKind::Limit, false)))
-        .enumerate()
-        .map(|(i, (name, kind, again))| {
-            interrupt.check("reading the cases")?;
-            let assembly = &input.joint.assembly;
-            let mut file = from_joint::model_file(
-                assembly,
-                &meshed.mesh,
-                &meshed.symmetry_used,
-                "mesh.msh",
-                name,
-                kind,
-            );
-            file.symmetry = meshed.copies;
-            let estimates = input.spec.value.analysis.coulomb_estimate && !of_polygon(name);
-            file.coulomb_estimate = estimates && kind == AnalysisKind::Limit;
-            let model = resolve(&file, meshed.mesh.clone(), &|path| input.spec.index.place(path))?;
-            let file_name = if i == 0 {
-                "model.yaml".into()
-            } else {
-                format!("model_{}.yaml", stem_of(name, kind, again))
-            };
-            Ok(Case {
-                name: name.clone(),
-                model,
-                model_file: (file_name, file),
-                remesh: None,
-                mesh_seconds: Some(mesh_seconds),
-                direction: directions.iter().find(|d| d.case == *name).map(|d| d.unit),
-            })
-        });
+    let asked = asked_cases(input, kinds, polygon).into_iter().enumerate();
+    let cases = asked.map(|(i, asked)| {
+        interrupt.check("reading the cases")?;
+        let file = asked.model_file(input, &meshed.mesh, &meshed.symmetry_used);
+        let model = resolve(&file, meshed.mesh.clone(), &|path| input.spec.index.place(path))?;
+        let file_name = if i == 0 {
+            "model.yaml".into()
+        } else {
+            format!("model_{}.yaml", stem_of(&asked.name, asked.kind, asked.again))
+        };
+        Ok(Case {
+            name: asked.name,
+            model,
+            model_file: (file_name, file),
+            remesh: None,
+            mesh_seconds: Some(mesh_seconds),
+            direction: asked.direction,
+        })
+    });
     let mut cases = cases.collect::<Result<Vec<Case>, Diagnostics>>()?;
     if let Some((first, others)) = cases.split_first_mut() {
         others.iter_mut().for_each(|c| c.model.share_mesh(&first.model));

@@ -71,9 +71,8 @@ pub fn spec_context(
 
 /// The rows of the user's own tables as text for the input hash. It is needed because no model
 /// contains the values that only the hand checks read.
-pub fn own_rows(context: &RunContext) -> String {
-    context
-        .catalogue_rows
+pub fn own_rows(input: &SpecFile) -> String {
+    catalogue_rows(input)
         .iter()
         .filter(|r| r.own)
         .map(|r| format!("{}: {:?}\n", r.name, r.values))

@@ -1,8 +1,10 @@
 //! Reads a connection spec from its file, with its catalogue and its joint.
 
-use crate::assembly::{self, Joint};
+use crate::assembly::template_file::{Templates, stored_name};
+use crate::assembly::{self, Joint, LoadedTemplate};
 use crate::catalog::{Catalog, CatalogError};
 use crate::diag::{Diagnostic, Diagnostics};
+use crate::result::folder::ResultFolder;
 use crate::spec::connection::ConnectionSpec;
 use crate::spec::polygon::PolygonFault;
 use crate::spec::yaml::{self, Parsed};
@@ -19,6 +21,27 @@ pub struct SpecFile {
     pub joint: Joint,
     /// The catalogue used to resolve the spec.
     pub catalog: Catalog,
+    /// The texts of the user's own templates, in the order in which they extend each other.
+    pub templates: Vec<String>,
+}
+
+/// Folder inside a result folder with the templates and tables of the user, so that `verify` can
+/// read the spec there.
+const STORED: &str = "input";
+/// Folder inside it with the tables.
+const STORED_TABLES: &str = "catalog";
+
+impl SpecFile {
+    /// Writes the user's own templates and tables into a result folder.
+    pub fn store(&self, folder: &ResultFolder) -> Result<(), Diagnostics> {
+        for (i, text) in self.templates.iter().enumerate() {
+            folder.write(&format!("{STORED}/{}", stored_name(i)), text.as_bytes())?;
+        }
+        for (name, text) in self.catalog.own_tables() {
+            folder.write(&format!("{STORED}/{STORED_TABLES}/{name}"), text.as_bytes())?;
+        }
+        Ok(())
+    }
 }
 
 /// Reads a spec and builds its joint. `catalog_dir` is the folder of `--catalog`, which takes
@@ -33,7 +56,24 @@ pub fn read(path: &Path, catalog_dir: Option<&Path>) -> Result<SpecFile, Diagnos
 }
 
 /// The spec with this text. Its templates and tables are looked up beside `path`.
-pub fn parse(text: &str, path: &Path, catalog_dir: Option<&Path>) -> Result<SpecFile, Diagnostics> {
+fn parse(text: &str, path: &Path, catalog_dir: Option<&Path>) -> Result<SpecFile, Diagnostics> {
+    let base = path.parent().unwrap_or(Path::new(""));
+    with_templates(text, path, catalog_dir, Templates::Beside(base))
+}
+
+/// The spec of a result folder, with the templates and tables that [`SpecFile::store`] wrote there.
+pub fn stored(text: &str, name: &str, folder: &Path) -> Result<SpecFile, Diagnostics> {
+    let (own, path) = (folder.join(STORED), folder.join(name));
+    let tables = Some(own.join(STORED_TABLES)).filter(|t| t.is_dir());
+    with_templates(text, &path, tables.as_deref(), Templates::Stored(&own))
+}
+
+fn with_templates(
+    text: &str,
+    path: &Path,
+    catalog_dir: Option<&Path>,
+    templates: Templates<'_>,
+) -> Result<SpecFile, Diagnostics> {
     let mut spec = yaml::parse::<ConnectionSpec>(text, path).map_err(|faults| {
         if yaml::top_level(text, "mesh") && yaml::top_level(text, "bodies") {
             let hint = "this looks like a model file: `bracket analyse` reads it";
@@ -55,8 +95,10 @@ pub fn parse(text: &str, path: &Path, catalog_dir: Option<&Path>) -> Result<Spec
     }
     let base = path.parent().unwrap_or(Path::new(""));
     let catalog = open_catalog(&spec, base, catalog_dir)?;
-    let joint = assembly::build(&spec, base, &catalog)?;
-    Ok(SpecFile { text: text.into(), spec, joint, catalog })
+    let template = LoadedTemplate::read(&spec, templates)?;
+    let joint = assembly::build_from(&spec, &template, &catalog)?;
+    let templates = template.own_texts().to_vec();
+    Ok(SpecFile { text: text.into(), spec, joint, catalog, templates })
 }
 
 /// The built-in catalogue together with the folder of the option or of the spec.

@@ -100,7 +100,37 @@ enum Kind<'f> {
     Limit(Flow),
 }
 
+/// The unknowns of a program with what decides on them.
+struct Numbering {
+    pieces: RigidPieces,
+    slips: Vec<SlipFace>,
+    tied: TiedPoints,
+    map: DofMap,
+    rigid: Vec<RigidMotions>,
+}
+
+/// Numbers the unknowns. `slipping`: bodies without a yield strength are rigid and may slip on held
+/// faces and along ties.
+fn numbering(
+    model: &AnalysisModel,
+    space: &Tet10Space,
+    slipping: bool,
+) -> Result<Numbering, ModelError> {
+    let pieces = if slipping { RigidPieces::unyielding(model) } else { RigidPieces::default() };
+    let slips = if slipping { slip_faces(model) } else { Vec::new() };
+    let points = Points { model, space };
+    let tied = TiedPoints::new(model, &points, slipping);
+    let (map, rigid) = rigid_motions::number_unknowns(model, &points, &pieces, &slips, &tied)?;
+    Ok(Numbering { pieces, slips, tied, map, rigid })
+}
+
 impl Kinematic {
+    /// Number of unknowns that the elements share, of the program of limit analysis or of one of
+    /// the others. No matrix is assembled.
+    pub fn unknowns(model: &AnalysisModel, limit: bool) -> Result<usize, ModelError> {
+        Ok(numbering(model, &Tet10Space::new(&model.mesh), limit)?.map.n)
+    }
+
     /// Builds the elastic program: no body yields.
     pub fn new(model: &AnalysisModel) -> Result<Self, ModelError> {
         Self::build(model, Kind::Elastic)
@@ -138,15 +168,8 @@ impl Kinematic {
 
     fn build(model: &AnalysisModel, kind: Kind) -> Result<Self, ModelError> {
         let space = Tet10Space::new(&model.mesh);
-        let pieces = match kind {
-            Kind::Limit(_) | Kind::AroundRigidBodies => RigidPieces::unyielding(model),
-            Kind::Elastic | Kind::Hencky(_) => RigidPieces::default(),
-        };
         let slipping = matches!(kind, Kind::Limit(_) | Kind::AroundRigidBodies);
-        let slips = if slipping { slip_faces(model) } else { Vec::new() };
-        let points = Points { model, space: &space };
-        let tied = TiedPoints::new(model, &points, slipping);
-        let (map, rigid) = rigid_motions::number_unknowns(model, &points, &pieces, &slips, &tied)?;
+        let Numbering { pieces, slips, tied, map, rigid } = numbering(model, &space, slipping)?;
         let materials = model.stiffnesses();
         let radii = model.yield_radii();
         // yield radius and kind of element of each tet that may flow

@@ -96,7 +96,25 @@ pub struct Static<'a> {
     radii: Vec<Option<f64>>,
 }
 
+/// The unknowns with what decides on them. `limit`: bodies without a yield strength are rigid.
+fn numbering(
+    model: &AnalysisModel,
+    faces: &FaceNumbering,
+    limit: bool,
+) -> Result<(RigidPieces, DofMap, Vec<RigidMotions>), ModelError> {
+    let pieces = if limit { RigidPieces::unyielding(model) } else { RigidPieces::default() };
+    let points = Points { mesh: &model.mesh, faces };
+    let tied = TiedPoints::new(model, &points, false);
+    let (map, rigid) = rigid_motions::number_unknowns(model, &points, &pieces, &[], &tied)?;
+    Ok((pieces, map, rigid))
+}
+
 impl<'a> Static<'a> {
+    /// Number of the unknowns that elements share, see [`crate::programs::Kinematic::unknowns`].
+    pub fn unknowns(model: &AnalysisModel, limit: bool) -> Result<usize, ModelError> {
+        Ok(numbering(model, &FaceNumbering::new(&model.mesh), limit)?.1.n)
+    }
+
     /// Builds the elastic program: no body yields.
     pub fn new(model: &'a AnalysisModel) -> Result<Self, ModelError> {
         Self::build(model, vec![None; model.mesh.tets.len()], false)
@@ -143,10 +161,7 @@ impl<'a> Static<'a> {
     ) -> Result<Self, ModelError> {
         let counted = if limit { Loads::DEAD } else { Loads::ALL };
         let elements = SuperElements::new(model).under(counted);
-        let pieces = if limit { RigidPieces::unyielding(model) } else { RigidPieces::default() };
-        let points = Points { mesh: &model.mesh, faces: &elements.faces };
-        let tied = TiedPoints::new(model, &points, false);
-        let (map, rigid) = rigid_motions::number_unknowns(model, &points, &pieces, &[], &tied)?;
+        let (pieces, map, rigid) = numbering(model, &elements.faces, limit)?;
         let radius = |e: usize| radii[e];
         let elastic: Vec<usize> =
             (0..model.mesh.tets.len()).filter(|&e| !limit && radius(e).is_none()).collect();

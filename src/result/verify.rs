@@ -6,24 +6,30 @@ mod differences;
 mod energy;
 mod factor;
 mod finding;
+mod grids;
+mod history;
+mod json_difference;
 
 use crate::certify::{FactorBracket, UpperFactor};
-use crate::diag::{Diagnostic, Diagnostics};
+use crate::diag::Diagnostics;
 use crate::model::resolve::load_model;
 use crate::result::combine::{PassResult, join};
 use crate::result::energy_case::energy_bounds;
 use crate::result::file_names::entry_stem;
 use crate::result::limit_case::factor_bounds;
+use crate::result::preload::mark_halved;
 use crate::result::result_file::CaseResult;
 use crate::result::result_file::FrictionModel;
-use crate::result::result_file::RESULT_FILE;
 use crate::result::result_file::ResultFile;
 use crate::spec::analysis::AnalysisKind;
 use case_files::CaseFiles;
 pub use case_files::read;
+pub use derived::Reference;
 use derived::{Proved, case_differences, polygon_differences};
 use differences::derived_differences;
 pub use finding::Finding;
+use history::{MeshSizes, history_differences};
+pub use json_difference::first_difference;
 use std::path::Path;
 
 /// The outcome of a verification.
@@ -34,21 +40,24 @@ pub struct Verification {
     pub refuted: Vec<String>,
 }
 
-/// Verifies the result in a folder.
-pub fn verify(folder: &Path) -> Result<Verification, Diagnostics> {
-    let text = read(&folder.join(RESULT_FILE))?;
-    let result =
-        ResultFile::from_json(&String::from_utf8_lossy(&text)).map_err(Diagnostic::from)?;
+/// Verifies the bounds of the result in a folder and what follows from them. `reference`: what the
+/// input gives; without it, nothing that depends on it is compared.
+pub fn verify(
+    folder: &Path,
+    result: &ResultFile,
+    reference: Option<&Reference>,
+) -> Result<Verification, Diagnostics> {
     let mut findings = Vec::new();
     let mut refuted = Vec::new();
     let mut proved = Vec::new();
     for (i, case) in result.cases.iter().enumerate() {
         let stem = entry_stem(&result.cases[..i], case);
-        let (found, (other, of_case)) = verify_case(folder, case, &stem, result.symmetry)?;
+        let (found, (other, of_case)) =
+            verify_case(folder, case, &stem, result.symmetry, reference)?;
         findings.extend(found);
         refuted.extend(other);
         if let Some(of_case) = of_case {
-            refuted.extend(case_differences(case, &of_case));
+            refuted.extend(reference.iter().flat_map(|r| case_differences(case, &of_case, r)));
             proved.extend(result.polygon.is_some().then_some(of_case));
         }
     }
@@ -65,6 +74,7 @@ fn verify_case(
     case: &CaseResult,
     stem: &str,
     symmetry: u32,
+    reference: Option<&Reference>,
 ) -> Result<(Vec<Finding>, Confirmed), Diagnostics> {
     let own = folder.join(format!("model_{stem}.yaml"));
     let model = load_model(&if own.exists() { own } else { folder.join("model.yaml") })?;
@@ -132,7 +142,12 @@ fn verify_case(
         }
         found.entry.frictionless = entry.frictionless;
     }
-    let Some(PassResult { entry, .. }) = found else { return Ok((findings, (refuted, None))) };
+    let Some(PassResult { mut entry, .. }) = found else { return Ok((findings, (refuted, None))) };
+    if let Some(Reference { mirror, .. }) = reference {
+        mark_halved(&mut entry.preload, other.as_ref().unwrap_or(&model), mirror);
+    }
     refuted.extend(derived_differences(case, &entry));
+    let (upper, lower) = (MeshSizes::of(&model), other.as_ref().map(MeshSizes::of));
+    refuted.extend(history_differences(case, &entry, (&upper, lower.as_ref()), model.bounds));
     Ok((findings, (refuted, Some(Proved { entry, model, mechanism, stress: carried }))))
 }

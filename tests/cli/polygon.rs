@@ -101,6 +101,30 @@ fn refutes_every_change(bench: &Bench, result: &Value) {
     write(&changed);
     let (out, _) = expect(bench.sealed("joint"), &["verify", "joint"], 1);
     assert!(out.contains("REFUTED: polygon"), "{out}");
+    // what the spec asks for, and half planes that the mechanisms prove, cannot be left out
+    let edits: [(&str, &dyn Fn(&mut Value)); 7] = [
+        ("polygon is missing", &|r| drop(r.as_object_mut().expect("keys").remove("polygon"))),
+        ("polygon.points: case and direction", &|r| {
+            drop(r["polygon"]["points"].as_array_mut().expect("points").remove(1));
+        }),
+        ("half_plane is not what", &|r| {
+            let point = r["polygon"]["points"][2].as_object_mut().expect("a point");
+            drop(point.remove("half_plane").expect("was there"));
+        }),
+        ("polygon.end", &|r| r["polygon"]["end"] = "foot".into()),
+        ("polygon.at", &|r| r["polygon"]["at"] = "column_face".into()),
+        ("polygon.axes[0].action", &|r| r["polygon"]["axes"][0]["action"] = "Mz".into()),
+        ("polygon.axes[1].unit", &|r| {
+            r["polygon"]["axes"][1]["unit"] = serde_json::json!({"force": 1.0e3});
+        }),
+    ];
+    for (words, edit) in edits {
+        let mut changed = result.clone();
+        edit(&mut changed);
+        write(&changed);
+        let (out, _) = expect(bench.sealed("joint"), &["verify", "joint"], 1);
+        assert!(out.contains("REFUTED: polygon") && out.contains(words), "{words}: {out}");
+    }
     write(result);
     expect(bench.sealed("joint"), &["verify", "joint"], 0);
 }

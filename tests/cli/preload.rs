@@ -103,6 +103,17 @@ fn another_closure_or_another_preload_is_refuted() {
     }
 }
 
+/// The force of a bolt that no plane halves is not that of one half.
+#[test]
+fn a_bolt_called_halved_is_refuted() {
+    let bench = solved(SLEEVE);
+    let mut result: Value = serde_json::from_str(&bench.read("sleeve/result.json")).expect("JSON");
+    result["cases"][0]["preload"][0]["halved"] = true.into();
+    let bench = bench.file("sleeve/result.json", result.to_string());
+    let (out, _) = expect(bench.sealed("sleeve"), &["verify", "sleeve"], 1);
+    assert!(out.contains("preload is not what the fields give"), "{out}");
+}
+
 /// The closures differ from mesh to mesh, so bounds from two meshes would belong to two different
 /// structures.
 #[test]

@@ -71,6 +71,14 @@ fn a_weld_on_a_rigid_body_gives_way() {
     }
     let (out, _) = expect(&bench, &["verify", "bars"], 0);
     assert!(out.matches("confirmed").count() >= 2, "{out}");
+    // a strength that the model does not give would turn utilisations into stresses
+    let text = bench.read("bars/result.json");
+    let mut forged: Value = serde_json::from_str(&text).expect("JSON");
+    forged["cases"][0]["welds"][0]["throat_strength"] = 100.0.into();
+    std::fs::write(bench.path().join("bars/result.json"), format!("{forged:#}")).expect("written");
+    let (out, _) = expect(bench.sealed("bars"), &["verify", "bars"], 1);
+    assert!(out.contains("welds is not what the fields give"), "{out}");
+    std::fs::write(bench.path().join("bars/result.json"), text).expect("written");
     // a weaker weld than the analysed one: the stress exceeds its strength, and the mechanism
     // dissipates less
     let model = bench.read("bars/model.yaml");

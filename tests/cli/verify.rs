@@ -199,14 +199,31 @@ fn stiffness_and_bolt_forces_are_found_again_and_every_change_is_refuted() {
         let (out, _) = expect(bench.sealed("joint"), &["verify", "joint"], 1);
         assert!(out.contains("REFUTED: ULS1") && out.contains(words), "{pointer}: {out}");
     }
-    // without the positions of the bolts their forces cannot be recomputed
+    // a bolt under another part, or moved, would have other forces; a bolt left out has none
+    let edits: [(&str, &dyn Fn(&mut Value)); 4] = [
+        ("the place of bolt", &|f| f["bolts"][0]["place"]["position"][1] = json!(1.0e3)),
+        ("the place of bolt", &|f| f["bolts"][0]["place"]["axis"] = json!([0.0, 0.0, 1.0])),
+        ("the bolts are not those", &|f| drop(f["bolts"].as_array_mut().expect("bolts").pop())),
+        ("static_forces are missing", &|f| *f = Value::Null),
+    ];
+    for (words, edit) in edits {
+        let mut changed = result.clone();
+        edit(&mut changed["cases"][0]["static_forces"]);
+        if changed["cases"][0]["static_forces"].is_null() {
+            changed["cases"][0].as_object_mut().expect("a case").remove("static_forces");
+        }
+        write(&changed);
+        let (out, _) = expect(bench.sealed("joint"), &["verify", "joint"], 1);
+        assert!(out.contains("REFUTED: ULS1") && out.contains(words), "{words}: {out}");
+    }
+    // the positions of the bolts
     let mut placeless = result.clone();
     for bolt in placeless["cases"][0]["static_forces"]["bolts"].as_array_mut().expect("bolts") {
         bolt.as_object_mut().expect("a bolt").remove("place").expect("its place");
     }
     write(&placeless);
     let (out, _) = expect(bench.sealed("joint"), &["verify", "joint"], 1);
-    assert!(out.contains("a bolt has no place"), "{out}");
+    assert!(out.contains("the place of bolt"), "{out}");
     forgeries_of_what_the_spec_gives(&bench, &result);
 }
 

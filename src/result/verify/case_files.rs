@@ -3,7 +3,7 @@
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::model::AnalysisModel;
 use crate::result::result_file::CaseResult;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Number of random points at which a field is sampled.
 pub const POINTS: usize = 10_000;
@@ -24,9 +24,23 @@ pub struct CaseFiles<'a> {
 }
 
 impl CaseFiles<'_> {
+    /// True if there is a field file of this kind.
+    pub fn has(&self, kind: &str) -> bool {
+        self.path(kind).exists()
+    }
+
+    /// The claimed value of a bound; NaN, which no field gives, if there is a field and no claim.
+    pub fn claim(&self, claimed: Option<f64>, kind: &str) -> Option<f64> {
+        claimed.or(self.has(kind).then_some(f64::NAN))
+    }
+
+    fn path(&self, kind: &str) -> PathBuf {
+        self.folder.join("fields").join(format!("{}_{kind}.vtu", self.stem))
+    }
+
     /// The bytes of a field file.
     pub fn field(&self, kind: &str) -> Result<Vec<u8>, Diagnostics> {
-        read(&self.folder.join("fields").join(format!("{}_{kind}.vtu", self.stem)))
+        read(&self.path(kind))
     }
 }
 

@@ -1,6 +1,7 @@
 //! The derived results that `verify` recomputes from the confirmed fields, in addition to the
 //! bounds: the capacity polygon, the stiffness of the joint and the forces of the static field.
 
+use super::json_difference::first_difference;
 use crate::assembly::BoltLine;
 use crate::certify::UpperFactor;
 use crate::certify::fields::StressField;
@@ -8,16 +9,25 @@ use crate::certify::half_plane::Axes;
 use crate::certify::half_plane::half_plane;
 use crate::certify::velocity_field::VelocityField;
 use crate::math::convex::HalfPlane;
-use crate::mesh::naming::symmetry_face;
 use crate::model::AnalysisModel;
 use crate::result::case_result::CaseResult;
 use crate::result::demand::ActionValue;
-use crate::result::forces::{BoltForce, ContactForce, static_forces};
+use crate::result::forces::{ContactForce, StaticForces, static_forces};
 use crate::result::polygon::{CapacityPolygon, Point};
 use crate::result::quantity::LoadSize;
+use serde_json::json;
 
 /// Relative difference allowed between a claimed and a recomputed number.
 const SAME: f64 = 1e-9;
+
+/// What the input gives about the joint of a result: a model file has no bolts and no mirror.
+#[derive(Clone, Debug, Default)]
+pub struct Reference {
+    /// The bolts whose forces the result lists.
+    pub bolts: Vec<BoltLine>,
+    /// Axes of the planes of symmetry in use; the planes pass through the origin.
+    pub mirror: Vec<usize>,
+}
 
 /// The results that the files of a case prove.
 pub struct Proved {
@@ -103,14 +113,14 @@ fn point_difference(point: &Point, case: &Proved, axes: &Axes) -> Option<&'stati
     if !same(point.lower, lower) || !same(point.upper, upper) {
         return Some("lower or upper is not the bound of its case");
     }
-    let claimed = point.half_plane?;
     let proves = |(velocity, bound): &(VelocityField, UpperFactor)| {
         half_plane(&case.model, velocity, bound, axes, point.direction)
     };
-    match case.mechanism.as_ref().and_then(proves) {
-        Some(found) if same_plane(&claimed, &found) => None,
-        Some(_) => Some("half_plane is not what the mechanism bounds"),
-        None => Some("the stored mechanism bounds no half plane"),
+    match (point.half_plane, case.mechanism.as_ref().and_then(proves)) {
+        (Some(claimed), Some(found)) if same_plane(&claimed, &found) => None,
+        (None, None) => None,
+        (Some(_), None) => Some("the stored mechanism bounds no half plane"),
+        (_, Some(_)) => Some("half_plane is not what the mechanism bounds"),
     }
 }
 
@@ -150,11 +160,15 @@ fn hull_differences(claimed: &CapacityPolygon) -> Vec<String> {
 
 /// Compares the claimed stiffness of the joint and the claimed forces with the bracket and the
 /// stress of the lower bound.
-pub fn case_differences(claimed: &CaseResult, proved: &Proved) -> Vec<String> {
+pub fn case_differences(
+    claimed: &CaseResult,
+    proved: &Proved,
+    reference: &Reference,
+) -> Vec<String> {
     let stiffness = stiffness_difference(claimed, &proved.entry);
     stiffness
         .into_iter()
-        .chain(force_differences(claimed, proved))
+        .chain(force_differences(claimed, proved, reference))
         .map(|what| format!("{}: {what}", claimed.name))
         .collect()
 }
@@ -176,31 +190,26 @@ fn stiffness_difference(claimed: &CaseResult, found: &CaseResult) -> Option<Stri
 }
 
 /// Forces of bolts and between parts, from the stress of the lower bound.
-fn force_differences(claimed: &CaseResult, proved: &Proved) -> Vec<String> {
-    let Some(given) = &claimed.static_forces else { return Vec::new() };
-    let Some((model, stress, factor)) = &proved.stress else {
-        return vec!["static_forces are given without the stress of a lower bound".into()];
+fn force_differences(
+    claimed: &CaseResult,
+    proved: &Proved,
+    Reference { bolts: lines, mirror }: &Reference,
+) -> Vec<String> {
+    let carried = proved.stress.as_ref().filter(|_| !lines.is_empty());
+    let (given, (model, stress, factor)) = match (&claimed.static_forces, carried) {
+        (None, None) => return Vec::new(),
+        (None, Some(_)) => return vec!["static_forces are missing".into()],
+        (Some(_), None) => {
+            let why = "static_forces are given without bolts or the stress of a lower bound";
+            return vec![why.into()];
+        }
+        (Some(given), Some(carried)) => (given, carried),
     };
     let mut out = Vec::new();
     if !near(given.load_factor, *factor) {
         out.push("static_forces: the load factor is not that of the stress".to_owned());
     }
-    let line = |b: &BoltForce| {
-        let place = b.place.clone()?;
-        Some(BoltLine {
-            part: b.bolt.clone(),
-            last: place.under,
-            axis: place.axis,
-            position: place.position,
-        })
-    };
-    let Some(lines) = given.bolts.iter().map(line).collect::<Option<Vec<_>>>() else {
-        out.push("static_forces: a bolt has no place".into());
-        return out;
-    };
-    let mirror: Vec<usize> =
-        (0..3).filter(|k| model.supports.iter().any(|s| s.name == symmetry_face(*k))).collect();
-    let found = static_forces(model, stress, *factor, &lines, &mirror);
+    let found = static_forces(model, stress, *factor, lines, mirror);
     let sizes = found
         .bolts
         .iter()
@@ -208,17 +217,21 @@ fn force_differences(claimed: &CaseResult, proved: &Proved) -> Vec<String> {
         .chain(found.contacts.iter().map(|c| c.compression));
     let size = sizes.fold(0.0f64, |m, f| m.max(f.abs()));
     let force = |a: f64, b: f64| near_beside(a, b, size);
-    for b in &given.bolts {
-        let same = |f: &BoltForce| {
-            f.bolt == b.bolt && force(f.tension, b.tension) && force(f.shear, b.shear)
-        };
-        if !found.bolts.iter().any(same) {
+    let names = |of: &StaticForces| of.bolts.iter().map(|b| b.bolt.clone()).collect::<Vec<_>>();
+    if names(given) != names(&found) {
+        out.push("static_forces: the bolts are not those of the input".into());
+        return out;
+    }
+    for (b, f) in given.bolts.iter().zip(&found.bolts) {
+        if !force(f.tension, b.tension) || !force(f.shear, b.shear) {
             out.push(format!("the forces of bolt {} are not those of the stress", b.bolt));
         }
+        let place = format!("static_forces: the place of bolt {}", b.bolt);
+        out.extend(first_difference(&json!(b.place), &json!(f.place), &place));
     }
     let reach = model.mesh.nodes.iter().flatten().fold(0.0f64, |m, x| m.max(x.abs()));
     let same = |a: &ContactForce, b: &ContactForce| {
-        let centre = (0..3).all(|k| (a.centre[k] - b.centre[k]).abs() <= 1e-6 * reach);
+        let centre = (0..3).all(|k| (a.centre[k] - b.centre[k]).abs() <= SAME * reach);
         a.between == b.between && force(a.compression, b.compression) && centre
     };
     let contacts = given.contacts.len() == found.contacts.len();

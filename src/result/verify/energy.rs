@@ -6,15 +6,20 @@ use crate::analysis::energy_pass::EnergyPass;
 use crate::analysis::preloaded_bolt::preloaded_bolts;
 use crate::certify::bracket::{Bracket, LowerBound, UpperBound};
 use crate::certify::certificate::{certify_displacement, certify_stress};
+use crate::certify::contributions::{contributions, plastic_contributions};
 use crate::certify::coulomb_shift::distance_from_coulomb;
+use crate::certify::fields::DisplacementField;
 use crate::certify::plastic_certificate::{certify_plastic_motion, certify_yielding_stress};
 use crate::certify::sampling::{sample, sample_lower};
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::model::AnalysisModel;
 use crate::model::loads::Loads;
 use crate::result::energy_case::case_result;
-use crate::result::fields::field_files::{read_displacement, read_shift, read_stress};
-use crate::result::fields::plastic_file::read_plastic;
+use crate::result::fields::field_files::{
+    displacement_grid, read_displacement, read_shift, read_stress, shift_grid, stress_grid,
+    yielding_stress_grid,
+};
+use crate::result::fields::plastic_file::{plastic_grid, read_plastic};
 use crate::result::result_file::CaseResult;
 use crate::spec::analysis::AnalysisKind;
 
@@ -36,7 +41,7 @@ impl CaseFiles<'_> {
         let mut pass =
             EnergyPass { fixed_point: case.fixed_point.clone(), ..EnergyPass::default() };
         let bounded = case.lower.is_some() || case.upper.is_some();
-        if given.has_coulomb_friction() && bounded {
+        if given.has_coulomb_friction() && (bounded || self.has("shift")) {
             pass.shift = read_shift(given, &self.field("shift")?).map_err(Diagnostic::from)?;
         }
         let mut model = AnalysisModel { shift: pass.shift.clone(), ..given.clone() };
@@ -51,7 +56,7 @@ impl CaseFiles<'_> {
             }
         }
         let model = &model;
-        if let Some(claimed) = case.lower.filter(|_| statics) {
+        if let Some(claimed) = self.claim(case.lower, "static").filter(|_| statics) {
             let stress = read_stress(model, &self.field("static")?).map_err(Diagnostic::from)?;
             let mut random = sample(model, None, Some(&stress), POINTS);
             let certificate = match yields {
@@ -77,9 +82,11 @@ impl CaseFiles<'_> {
             pass.lower = Some(bound);
             pass.stress = Some(stress);
         }
-        if let Some(claimed) = case.upper.and_then(|u| u.finite()).filter(|_| kinematic) {
+        let upper = self.claim(case.upper.and_then(|u| u.finite()), "kinematic");
+        let mut displacement = None;
+        if let Some(claimed) = upper.filter(|_| kinematic) {
             let bytes = self.field("kinematic")?;
-            let (displacement, certificate) = if yields {
+            let (nodes, certificate) = if yields {
                 let field = read_plastic(model, &bytes).map_err(Diagnostic::from)?;
                 let certificate = certify_plastic_motion(model, &field);
                 let nodes = field.nodes.clone();
@@ -90,7 +97,7 @@ impl CaseFiles<'_> {
                 let certificate = certify_displacement(model, &u);
                 (u, certificate)
             };
-            let off = distance_from_coulomb(model, &pass.shift, &displacement);
+            let off = distance_from_coulomb(model, &pass.shift, &nodes);
             if off > FAR_FROM_COULOMB {
                 refuted.push(format!(
                     "{}: the shift of the contact cones is off the slips of Coulomb's law by \
@@ -98,7 +105,7 @@ impl CaseFiles<'_> {
                     case.name
                 ));
             }
-            let random = sample(model, Some(&displacement), None, POINTS).gap_cone;
+            let random = sample(model, Some(&nodes), None, POINTS).gap_cone;
             let bound = UpperBound::new(certificate, model.symmetry);
             let c = bound.certificate();
             let worst = c.compatibility.max(c.contact.unwrap_or(0.0));
@@ -110,7 +117,9 @@ impl CaseFiles<'_> {
             };
             findings.push(Finding::new(case, "upper", numbers, bound.is_strict(), claims_strict));
             pass.upper = Some(bound);
+            displacement = Some(nodes);
         }
+        self.compare_fields(model, &pass, displacement.as_ref(), refuted)?;
         pass.preload =
             preloaded_bolts(model, pass.lower.as_ref().map(|l| &l.certificate().tensions[..]));
         if let (Some(l), Some(u)) = (&pass.lower, &pass.upper) {
@@ -121,5 +130,33 @@ impl CaseFiles<'_> {
         }
         let entry = case_result(&case.name, given, &pass, None);
         Ok((findings, entry, pass))
+    }
+
+    /// Compares what the field files contain beside their fields.
+    fn compare_fields(
+        &self,
+        model: &AnalysisModel,
+        pass: &EnergyPass,
+        displacement: Option<&DisplacementField>,
+        refuted: &mut Vec<String>,
+    ) -> Result<(), Diagnostics> {
+        if !pass.shift.faces.is_empty() {
+            self.compare_grid("shift", &shift_grid(model, &pass.shift), refuted)?;
+        }
+        if let Some(stress) = &pass.stress {
+            let yields = model.analysis == AnalysisKind::Elastoplastic;
+            let of_field = if yields { yielding_stress_grid } else { stress_grid };
+            self.compare_grid("static", &of_field(model, stress), refuted)?;
+        }
+        let Some(u) = displacement else { return Ok(()) };
+        let shares = pass.stress.as_ref().map(|stress| match &pass.plastic {
+            Some(plastic) => plastic_contributions(model, plastic, stress).elements,
+            None => contributions(model, u, stress).elements,
+        });
+        let grid = match &pass.plastic {
+            Some(plastic) => plastic_grid(model, plastic, shares.as_deref()),
+            None => displacement_grid(model, u, shares.as_deref()),
+        };
+        self.compare_grid("kinematic", &grid, refuted)
     }
 }

@@ -7,7 +7,7 @@ use crate::certify::fields::StressField;
 use crate::certify::free_mechanism::FreeMechanism;
 use crate::certify::free_mechanism::certify_free;
 use crate::certify::free_mechanism::is_free;
-use crate::certify::limit_certificate::{certify_lower, certify_upper};
+use crate::certify::limit_certificate::{certify_lower, certify_upper, dissipation_densities};
 use crate::certify::sampling::{sample_live, sample_lower, sample_upper};
 use crate::certify::unlimited::Unlimited;
 use crate::certify::unlimited::certify_unlimited;
@@ -15,12 +15,18 @@ use crate::certify::velocity_field::VelocityField;
 use crate::certify::{FactorBracket, LowerFactor, UpperFactor};
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::model::AnalysisModel;
-use crate::result::fields::field_files::{read_lower, read_stress, read_velocity};
+use crate::result::fields::field_files::{
+    lower_grid, read_lower, read_stress, read_velocity, stress_grid, velocity_grid,
+};
 use crate::result::file_names::{DEAD_FIELD, LIVE_FIELD};
 use crate::result::limit_case::limit_case_result;
 use crate::result::result_file::CaseResult;
 use crate::result::result_file::FrictionModel;
+use crate::result::result_file::RawBracket;
 use crate::result::result_file::Upper;
+
+/// Kind of the field file with the stress of the lower bound without friction.
+const SMOOTH_FIELD: &str = "static_frictionless";
 
 impl CaseFiles<'_> {
     /// Recomputes the bounds of the load factor and the entry made from them.
@@ -34,28 +40,29 @@ impl CaseFiles<'_> {
         let mut findings = Vec::new();
         let mut pass = LimitPass::default();
         let raw = if coulomb { case.associated.and_then(|a| a.lower) } else { case.lower };
-        if let Some(claimed) = raw.filter(|_| statics) {
+        if let Some(claimed) = self.claim(raw, "static").filter(|_| statics) {
             // a raw bound beside the answer is reported only if it is strict
             let (mut found, bound, stress) =
-                self.lower_factor(model, "static", claimed, claims_strict || coulomb)?;
+                self.lower_factor(model, "static", claimed, claims_strict || coulomb, refuted)?;
             found.bound = if coulomb { "lower, associated" } else { "lower" };
-            findings.push(found);
+            findings.extend((raw.is_some() || bound.is_strict() || !coulomb).then_some(found));
             pass.lower = Some(bound);
             pass.stress = Some(stress);
         }
         let smooth =
             case.frictionless.and_then(|f| f.lower).or(if coulomb { case.lower } else { None });
-        if let Some(claimed) = smooth.filter(|_| frictionless) {
+        if let Some(claimed) = self.claim(smooth, SMOOTH_FIELD).filter(|_| frictionless) {
             let without = model.without_friction();
             let strict = claims_strict || !coulomb;
             let (mut found, bound, stress) =
-                self.lower_factor(&without, "static_frictionless", claimed, strict)?;
+                self.lower_factor(&without, SMOOTH_FIELD, claimed, strict, refuted)?;
             found.bound = if coulomb { "lower" } else { "lower, frictionless" };
-            findings.push(found);
+            findings.extend((smooth.is_some() || bound.is_strict() || coulomb).then_some(found));
             pass.frictionless = Some(bound);
             pass.frictionless_stress = Some(stress);
         }
-        if let Some(claimed) = case.upper.and_then(|u| u.finite()).filter(|_| kinematic) {
+        let upper = self.claim(case.upper.and_then(|u| u.finite()), "kinematic");
+        if let Some(claimed) = upper.filter(|_| kinematic) {
             let nodes =
                 read_velocity(model, &self.field("kinematic")?).map_err(Diagnostic::from)?;
             let field = limit::velocity(nodes);
@@ -69,6 +76,8 @@ impl CaseFiles<'_> {
                 // velocities that are not a free mechanism do not prove that the bound is zero
                 let recomputed = if free { 0.0 } else { f64::INFINITY };
                 let random = sample_upper(model, &field, POINTS).gap_cone;
+                let rests = vec![0.0; model.mesh.tets.len()];
+                self.compare_grid("kinematic", &velocity_grid(model, &field, rests), refuted)?;
                 findings.push(Finding::new(
                     case,
                     "upper",
@@ -79,6 +88,8 @@ impl CaseFiles<'_> {
                 pass.free = free.then_some(FreeMechanism { field, certificate });
             } else {
                 let (found, bound) = self.upper_factor(&field, claimed, claims_strict);
+                let densities = dissipation_densities(model, &field, limit::SUBDIVISIONS);
+                self.compare_grid("kinematic", &velocity_grid(model, &field, densities), refuted)?;
                 findings.push(found);
                 pass.upper = Some(bound);
                 pass.velocity = Some(field);
@@ -93,10 +104,9 @@ impl CaseFiles<'_> {
                 Err(e) => refuted.push(format!("{}: {e}", case.name)),
             }
         }
-        if let Some(Upper::Unbounded(_)) = case.upper
-            && claims_strict
-        {
-            let (found, unlimited) = self.no_limit()?;
+        let unbounded = matches!(case.upper, Some(Upper::Unbounded(_)));
+        if unbounded && claims_strict || self.has(LIVE_FIELD) {
+            let (found, unlimited) = self.no_limit(refuted)?;
             findings.push(found);
             pass.unlimited = Some(unlimited);
         }
@@ -104,6 +114,10 @@ impl CaseFiles<'_> {
         // without strict proof the claim remains an estimate
         if let Some(Upper::Unbounded(_)) = case.upper {
             found.upper = case.upper;
+            if let Some(raw) = case.associated.filter(|a| a.upper == case.upper) {
+                let lower = found.associated.and_then(|a| a.lower);
+                found.associated = Some(RawBracket { lower, ..raw });
+            }
         }
         Ok((findings, found, pass))
     }
@@ -132,13 +146,17 @@ impl CaseFiles<'_> {
 
     /// Proves from the stored fields that the load factor has no limit. The numbers of the finding
     /// are the remaining deviator, because nothing else is claimed.
-    fn no_limit(&self) -> Result<(Finding, Unlimited), Diagnostics> {
+    fn no_limit(&self, refuted: &mut Vec<String>) -> Result<(Finding, Unlimited), Diagnostics> {
         let model = self.model;
         let field = read_stress(model, &self.field(LIVE_FIELD)?).map_err(Diagnostic::from)?;
         let dead = match model.has_dead_loads() {
             true => Some(read_lower(model, &self.field(DEAD_FIELD)?).map_err(Diagnostic::from)?.0),
             false => None,
         };
+        self.compare_grid(LIVE_FIELD, &stress_grid(model, &field), refuted)?;
+        if let Some(dead) = &dead {
+            self.compare_grid(DEAD_FIELD, &lower_grid(model, dead, 0.0), refuted)?;
+        }
         let certificate = certify_unlimited(model, &field, dead.as_ref());
         let c = &certificate;
         let residuals = [c.equilibrium, c.traction_jump, c.deviator, c.contact.unwrap_or(0.0)];
@@ -157,8 +175,10 @@ impl CaseFiles<'_> {
         kind: &str,
         claimed: f64,
         claims_strict: bool,
+        refuted: &mut Vec<String>,
     ) -> Result<(Finding, LowerFactor, StressField), Diagnostics> {
         let (stress, factor) = read_lower(model, &self.field(kind)?).map_err(Diagnostic::from)?;
+        self.compare_grid(kind, &lower_grid(model, &stress, factor), refuted)?;
         let sampled = sample_lower(model, &stress, factor, POINTS);
         let bound = LowerFactor::new(certify_lower(model, &stress, factor));
         let c = bound.certificate();

@@ -1,0 +1,46 @@
+//! The hash of the input of a result: of everything that its numbers depend on.
+
+use crate::diag::{Diagnostic, Diagnostics};
+use crate::driver::meshing::{Extent, sizes};
+use crate::driver::spec_context::own_rows;
+use crate::driver::spec_file::SpecFile;
+use crate::geometry::Scene;
+use crate::geometry::geo_script::{Purpose, Sizing, script};
+use crate::result::result_file::input_hash;
+use crate::spec::analysis::AnalysisKind;
+
+/// Hash of the input of a run. `models` are the texts of the model files on the first mesh: they
+/// contain the values of the catalogue and the template. The script contains those of the mesher.
+pub fn spec_hash(
+    input: &SpecFile,
+    kinds: &[AnalysisKind],
+    extent: Extent,
+    models: &[String],
+) -> String {
+    let scene = Scene::new(&input.joint.assembly, extent.full);
+    let asked = &input.spec.value.analysis.mesh;
+    let sizes = Sizing::Rule(sizes(asked, kinds, extent.size_factor));
+    let geo = script(&scene, Purpose::Mesh { layers: asked.layers, sizes });
+    let mut pieces: Vec<(&str, &[u8])> =
+        vec![("spec", input.text.as_bytes()), ("geo", geo.as_bytes())];
+    pieces.extend(models.iter().map(|m| ("model", m.as_bytes())));
+    let own = own_rows(input);
+    if !own.is_empty() {
+        pieces.push(("catalogue", own.as_bytes()));
+    }
+    input_hash(&pieces)
+}
+
+/// Hash of the input of the hand checks. The end plate as passed to them contains the values of the
+/// catalogue and the template.
+pub fn checked_hash(input: &SpecFile) -> Result<String, Diagnostics> {
+    let seen = serde_json::to_string(&input.joint.end_plate).map_err(|e| {
+        Diagnostic::environment("cli/check", format!("the joint cannot be written: {e}"))
+    })?;
+    Ok(input_hash(&[("spec", input.text.as_bytes()), ("joint", seen.as_bytes())]))
+}
+
+/// Hash of a model file and its mesh.
+pub fn model_hash(text: &str, mesh: &[u8]) -> String {
+    input_hash(&[("model", text.as_bytes()), ("mesh", mesh)])
+}

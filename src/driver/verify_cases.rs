@@ -1,0 +1,174 @@
+//! What the spec of a result says about the result as a whole: its cases, symmetry, meshes, models
+//! and polygon, and the hash of its input.
+
+use crate::diag::Diagnostics;
+use crate::driver::case::not_analysed;
+use crate::driver::input_hash::{checked_hash, spec_hash};
+use crate::driver::meshing::Extent;
+use crate::driver::run_spec::{COMMAND_LINE, KIND, SIZE_FACTOR};
+use crate::driver::spec_cases::{AskedCase, asked_cases};
+use crate::driver::spec_checks::analysis_kinds;
+use crate::driver::spec_file::SpecFile;
+use crate::driver::verify_mesh::Meshes;
+use crate::geometry::Scene;
+use crate::report::markdown::report_data::ReportData;
+use crate::result::demand::ActionValue;
+use crate::result::file_names::entry_stem;
+use crate::result::result_file::ResultFile;
+use crate::result::verify::first_difference;
+use crate::spec::analysis::AnalysisKind;
+use crate::spec::polygon::PolygonSpec;
+use crate::spec::yaml;
+use serde_json::{Value, json};
+use std::path::Path;
+
+/// The meshed part of the joint of a result: the whole joint if the result has one copy of it.
+fn scene<'a>(spec: &'a SpecFile, result: &ResultFile) -> Scene<'a> {
+    Scene::new(&spec.joint.assembly, result.symmetry == 1)
+}
+
+/// Axes of the planes of symmetry that a result uses.
+pub fn mirror(spec: &SpecFile, result: &ResultFile) -> Vec<usize> {
+    scene(spec, result).symmetry.iter().map(|p| p.axis).collect()
+}
+
+/// Every kind of analysis.
+const KINDS: [AnalysisKind; 3] =
+    [AnalysisKind::Elastic, AnalysisKind::Elastoplastic, AnalysisKind::Limit];
+
+/// The analyses that a run was asked for: by its spec, and by the options that the report names.
+struct Asked<'a> {
+    kinds: Vec<AnalysisKind>,
+    size_factor: f64,
+    polygon: Option<&'a PolygonSpec>,
+    cases: Vec<AskedCase>,
+}
+
+impl<'a> Asked<'a> {
+    fn new(spec: &'a SpecFile, data: &ReportData) -> Result<Self, Diagnostics> {
+        let option = |name: &str| {
+            let mut given = data.resolved.iter();
+            given.find(|r| r.name == name && r.origin == COMMAND_LINE).map(|r| &r.value)
+        };
+        let word = option(KIND);
+        let kinds = match word {
+            // a word of no kind leaves no case, which the comparison refutes
+            Some(word) => KINDS.into_iter().filter(|k| k.word() == word).collect(),
+            None => analysis_kinds(spec)?,
+        };
+        let limit = word.is_none() || kinds == [AnalysisKind::Limit];
+        let polygon = spec.spec.value.polygon.as_ref().filter(|_| limit);
+        let cases = asked_cases(spec, &kinds, polygon);
+        let size_factor = option(SIZE_FACTOR).and_then(|f| f.parse().ok()).unwrap_or(1.0);
+        Ok(Self { kinds, size_factor, polygon, cases })
+    }
+}
+
+/// Sentences about what the spec gives otherwise.
+pub fn frame_differences(
+    folder: &Path,
+    result: &ResultFile,
+    spec: &SpecFile,
+    data: &ReportData,
+) -> Vec<String> {
+    let found = if result.asked.is_empty() && result.cases.is_empty() {
+        checks_alone(folder, result, spec)
+    } else {
+        Asked::new(spec, data).and_then(|asked| of_run(folder, result, spec, &asked))
+    };
+    found.unwrap_or_else(|faults| vec![faults.into_first().message])
+}
+
+/// Differences of a result without analyses.
+fn checks_alone(
+    folder: &Path,
+    result: &ResultFile,
+    spec: &SpecFile,
+) -> Result<Vec<String>, Diagnostics> {
+    let mut out = Vec::new();
+    if folder.join("model.yaml").exists() {
+        out.push("there is a model, and `asked` names no analysis".to_owned());
+    }
+    let hash = checked_hash(spec)?;
+    let given = [json!(result.symmetry), json!(result.input_hash), json!(result.polygon)];
+    let found = [json!(1), json!(hash), json!(null)];
+    for ((given, found), name) in
+        given.iter().zip(&found).zip(["symmetry", "input_hash", "polygon"])
+    {
+        out.extend(first_difference(given, found, name));
+    }
+    Ok(out)
+}
+
+/// Differences of a result with analyses.
+fn of_run(
+    folder: &Path,
+    result: &ResultFile,
+    spec: &SpecFile,
+    asked: &Asked<'_>,
+) -> Result<Vec<String>, Diagnostics> {
+    let scene = scene(spec, result);
+    let mut out = Vec::new();
+    let mut pair = |given: &Value, found: &Value, name: &str| {
+        out.extend(first_difference(given, found, name));
+    };
+    let names: Vec<&String> = asked.cases.iter().map(|c| &c.name).collect();
+    pair(&json!(result.asked), &json!(names), "asked");
+    let count = result.cases.len().min(asked.cases.len());
+    let entries: Vec<_> = result.cases.iter().map(|c| (&c.name, c.analysis)).collect();
+    let wanted: Vec<_> = asked.cases[..count].iter().map(|c| (&c.name, c.kind)).collect();
+    pair(&json!(entries), &json!(wanted), "cases: name and analysis");
+    pair(&json!(result.symmetry), &json!(scene.copies()), "symmetry");
+    if count < asked.cases.len() {
+        let missing: Vec<String> = names[count..].iter().map(|n| n.to_string()).collect();
+        if !result.warnings.contains(&not_analysed(&missing)) {
+            out.push(format!("`cases` lacks {}, and no warning says why", missing.join(", ")));
+        }
+    }
+    out.extend(polygon_differences(result, asked));
+    let mut meshes = Meshes::new(&scene);
+    for (i, case) in result.cases.iter().enumerate() {
+        let stem = entry_stem(&result.cases[..i], case);
+        let of_case = asked.cases.iter().find(|c| c.name == case.name && c.kind == case.analysis);
+        let Some(of_case) = of_case else { continue };
+        match meshes.models_differ(folder, &stem, of_case, spec) {
+            Ok(found) => out.extend(found),
+            Err(faults) => out.push(format!("{}: {}", case.name, faults.into_first().message)),
+        }
+    }
+    if let Some(mesh) = meshes.any() {
+        let models =
+            asked.cases.iter().map(|c| yaml::to_string(&c.model_file(spec, mesh, &scene.symmetry)));
+        let models = models.collect::<Result<Vec<_>, _>>()?;
+        let extent = Extent { full: result.symmetry == 1, size_factor: asked.size_factor };
+        let hash = spec_hash(spec, &asked.kinds, extent, &models);
+        out.extend(first_difference(&json!(result.input_hash), &json!(hash), "input_hash"));
+    }
+    Ok(out)
+}
+
+/// Differences of the polygon's names, axes and directions. Its numbers follow from the fields.
+fn polygon_differences(result: &ResultFile, asked: &Asked<'_>) -> Vec<String> {
+    let wanted = asked.polygon.and_then(|p| Some((p, p.axes()?)));
+    let (claimed, (spec, axes)) = match (&result.polygon, wanted) {
+        (None, None) => return Vec::new(),
+        (Some(claimed), Some(wanted)) => (claimed, wanted),
+        (Some(_), None) => return vec!["polygon: the spec asks for none".into()],
+        (None, Some(_)) => return vec!["polygon is missing".into()],
+    };
+    let axes = axes.map(|(action, size)| {
+        let unit = ActionValue::of(action, size);
+        json!({"action": action.word(), "unit": unit})
+    });
+    let analysed = |c: &&AskedCase| result.cases.iter().any(|r| r.name == c.name);
+    let directions = asked.cases.iter().filter(|c| c.direction.is_some()).filter(analysed);
+    let directions: Vec<_> = directions.map(|c| (&c.name, c.direction)).collect();
+    let given: Vec<_> = claimed.points.iter().map(|p| (&p.case, p.direction)).collect();
+    let pairs = [
+        ("polygon.end", json!(claimed.end), json!(spec.end)),
+        ("polygon.at", json!(claimed.at), json!(spec.at.word())),
+        ("polygon.axes", json!(claimed.axes), json!(axes)),
+        ("polygon.points: case and direction", json!(given), json!(directions)),
+    ];
+    pairs.into_iter().filter_map(|(name, a, b)| first_difference(&a, &b, name)).collect()
+}
