@@ -137,7 +137,7 @@ fn ground_without_pressure() {
     let idle = Block::new([2, 2, 2], [10.0; 3]).jittered(4).mesh(&["IDLE"], |_| 0, |_, _| false);
     let busy = Block::new([2, 2, 2], [10.0; 3]).jittered(6).mesh(&["BUSY"], |_| 0, |_, _| false);
     let busy = mapped(renamed(busy, "Z1", "TOP"), |x| [x[0] + 20.0, x[1], x[2]]);
-    for pressure in [100.0, 0.0] {
+    for pressure in [100.0f64, 0.0] {
         for law in LAWS {
             let yaml = format!(
                 "bodies: {{IDLE: s, BUSY: s}}\nsupports:\n- {{face: Z0, law: contact, \
