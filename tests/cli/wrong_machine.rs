@@ -207,7 +207,8 @@ fn a_standard_error_that_takes_nothing_is_no_fault() {
     let bench = Bench::new().file("joint.yaml", JOINT);
     std::fs::create_dir(bench.path().join("own")).expect("made");
     let steels = "standard,grade,fy_t_le_40_MPa,fu_t_le_40_MPa,fy_t_40_to_80_MPa,\
-                  fu_t_40_to_80_MPa,E_MPa,nu,density_kg_per_m3,beta_w\nmine,S999,230,360,215,360,210000,0.3,7850,0.8\n";
+                  fu_t_40_to_80_MPa,E_MPa,nu,density_kg_per_m3,\
+                  beta_w\nmine,S999,230,360,215,360,210000,0.3,7850,0.8\n";
     let sweep = "base: joint.yaml\nfirst: checks\naxes: {plate.thickness: [15, 16]}\n";
     let bench = bench.file("own/steel_grades.csv", steels).file("sweep.yaml", sweep);
     for (command, code) in [
