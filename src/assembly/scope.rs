@@ -8,7 +8,7 @@ use super::template::{Default, Loop, Parameter, ParameterKind, Template};
 use crate::diag::{AtLeastOne, did_you_mean};
 use crate::spec::expr::{Expr, ExprError, Value};
 use crate::units::Dim;
-use settle::Pending;
+use settle::{Pending, Values, settle};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -271,7 +271,7 @@ impl Scope {
         }
         let names: Vec<String> = pending.keys().cloned().collect();
         for name in names {
-            if let Err(e) = self.settle(&name, &pending) {
+            if let Err(e) = settle(&name, &pending, self) {
                 return Err(AssemblyError::Template { at: name, cause: e }.into());
             }
         }
@@ -369,6 +369,21 @@ impl Scope {
     }
 }
 
+impl Values for Scope {
+    fn known(&self, name: &str) -> bool {
+        self.values.contains_key(name)
+    }
+
+    fn give(&mut self, name: &str, expr: &Expr, dim: Option<Dim>) -> Result<(), ExprError> {
+        let value = match dim {
+            Some(Dim::LENGTH) => Value::length(self.length(expr)?),
+            _ => expr.eval(&mut |n| self.get(n))?,
+        };
+        self.set(name, value);
+        Ok(())
+    }
+}
+
 /// A value in internal units as text with its unit.
 fn show(value: f64, dim: Dim) -> String {
     Value::Quantity(crate::units::Quantity { value, dim }).to_string()
@@ -389,5 +404,28 @@ fn dim_of(p: &Parameter) -> Option<Dim> {
         ParameterKind::Length | ParameterKind::Lengths => Some(Dim::LENGTH),
         ParameterKind::Number => Some(Dim::NONE),
         ParameterKind::Flag => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The limit of turns holds before any of them is in memory.
+    #[test]
+    fn loops_beyond_the_limit_are_refused() {
+        let of = |name: &str, n: usize| Loop {
+            each: name.into(),
+            values: vec![Expr::parse("1").expect("a number"); n],
+            list: None,
+            labels: Vec::new(),
+        };
+        let scope = <Scope as std::default::Default>::default();
+        let some = scope.turns(&[of("a", 300), of("b", 300)], None).expect("90 000");
+        assert_eq!(some.len(), 90_000);
+        for loops in [vec![of("a", 400), of("b", 400)], vec![of("a", 100_001)]] {
+            let e = scope.turns(&loops, None).map(drop).expect_err("too many");
+            assert!(e.message.contains("more than 100000 turns"), "{e:?}");
+        }
     }
 }

@@ -70,7 +70,7 @@ fn data(t: &Template) -> Value {
 }
 
 fn page(t: &Template) -> String {
-    let mut out = format!("{}: {}\n\n{}\n", in_line(&t.name), in_line(&t.title), t.about);
+    let mut out = format!("{}: {}\n\n{}\n", in_line(&t.name), in_line(&t.title), in_line(&t.about));
     let mut table = |title: &str, rows: Vec<(&str, String)>| {
         let width = rows.iter().map(|(n, _)| n.len()).max().unwrap_or(0);
         out.push_str(&format!("\n{title}\n"));

@@ -24,8 +24,8 @@ pub(crate) fn png(picture: &Picture) -> Result<Vec<u8>, Diagnostics> {
     })
 }
 
-/// Views of the mesh: file, direction to the eye (`None`: from slightly above), and words. The first
-/// view has the lines of the mesh.
+/// Views of the mesh: file, direction to the eye (`None`: from slightly above), and words. The
+/// first view has the lines of the mesh.
 const VIEWS: [(&str, Option<V3>, &str); 3] = [
     ("mesh.png", None, ""),
     ("mesh_front.png", Some([0.0, -1.0, 0.0]), ", seen along y"),

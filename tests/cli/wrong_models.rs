@@ -327,7 +327,7 @@ fn a_part_without_support_is_named_before_anything_is_solved() {
     }
 }
 
-/// A device without end is refused at once, as mesh and as model.
+/// A device without end is refused at once.
 #[test]
 #[cfg(target_os = "linux")]
 fn a_device_is_no_mesh() {
@@ -335,10 +335,10 @@ fn a_device_is_no_mesh() {
     let bench = Bench::new().file("model.yaml", model);
     let t = Want {
         exit: 2,
-        code: "mesh/read",
-        place: "/dev/zero",
-        message: "it is not a regular file",
-        cure: "check the path",
+        code: "model/no-mesh",
+        place: "model.yaml:1:7",
+        message: "there is no mesh file `/dev/zero`",
+        cure: "the path is relative",
     };
     if let Err(e) = refusal(&bench, &mut bench.command(&["analyse", "model.yaml"]), &t) {
         panic!("{e}");

@@ -2,7 +2,7 @@
 
 use crate::checks::{Check, Status, Step, Topic};
 use crate::report::figures::{Rounding, significant};
-use crate::report::markdown::markup::{heading, inline, paragraph, strings, table};
+use crate::report::markdown::markup::{bold, heading, inline, paragraph, strings, table};
 use crate::report::markdown::report_data::Table;
 
 /// The lines below the verdict: the checks that failed, and those that the code leaves undecided.
@@ -46,8 +46,8 @@ pub(crate) fn checks(page: &mut String, checks: &[Check]) {
                 let used =
                     c.utilisation.map_or_else(|| "–".into(), |u| significant(u, 3, Rounding::Up));
                 let word = status(c.status);
-                let bold = matches!(c.status, Status::Failed | Status::Undecided);
-                row.extend([used, if bold { format!("**{word}**") } else { word.into() }]);
+                let stands_out = matches!(c.status, Status::Failed | Status::Undecided);
+                row.extend([used, if stands_out { bold(word) } else { word.into() }]);
             }
             row
         });

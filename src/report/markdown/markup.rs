@@ -67,35 +67,40 @@ pub(crate) fn inline(text: &str) -> String {
     out
 }
 
-pub(crate) fn table(page: &mut String, table: &Table) {
-    table_with_bold(page, table, &[]);
+/// Begins a cell that the program sets bold. Unlike `**`, no text of a user looks like it.
+const BOLD: char = '\u{e000}';
+
+/// A bold cell of a table.
+pub(crate) fn bold(text: &str) -> String {
+    format!("{BOLD}{text}")
 }
 
-/// A table with the rows bold for which `bold` is true; a missing entry is false.
-pub(crate) fn table_with_bold(page: &mut String, table: &Table, bold: &[bool]) {
-    let row = |cells: &[String], bold: bool| {
-        let mark = if bold { "**" } else { "" };
-        let cells = cells.iter().map(|c| format!("{mark}{}{mark}", inline(c)));
-        format!("| {} |\n", cells.collect::<Vec<_>>().join(" | "))
+fn cell(text: &str) -> String {
+    match text.strip_prefix(BOLD) {
+        Some(text) => format!("**{}**", inline(text)),
+        None => inline(text),
+    }
+}
+
+pub(crate) fn table(page: &mut String, table: &Table) {
+    let row = |cells: &[String]| {
+        format!("| {} |\n", cells.iter().map(|c| cell(c)).collect::<Vec<_>>().join(" | "))
     };
-    page.push_str(&row(&table.columns, false));
+    page.push_str(&row(&table.columns));
     let number = |c: usize| {
-        table.rows.iter().zip(0..).all(|(r, i)| {
-            let begins = |l: char| l.is_ascii_digit() || "-<–".contains(l);
-            r.get(c).is_none_or(|t| t.is_empty() || (t.starts_with(begins) && !is_bold(bold, i)))
+        table.rows.iter().all(|r| {
+            r.get(c).is_none_or(|t| {
+                t.is_empty() || t.starts_with(|l: char| l.is_ascii_digit() || "-<–".contains(l))
+            })
         })
     };
     let rule: Vec<&str> =
         (0..table.columns.len()).map(|c| if number(c) { "---:" } else { "---" }).collect();
     page.push_str(&format!("| {} |\n", rule.join(" | ")));
-    for (i, r) in table.rows.iter().enumerate() {
-        page.push_str(&row(r, is_bold(bold, i)));
+    for r in &table.rows {
+        page.push_str(&row(r));
     }
     page.push('\n');
-}
-
-fn is_bold(bold: &[bool], row: usize) -> bool {
-    bold.get(row).copied().unwrap_or(false)
 }
 
 pub(crate) fn strings<const N: usize>(cells: [&str; N]) -> Vec<String> {

@@ -1,6 +1,6 @@
 //! The summary of the checks as a table, with the governing one in bold.
 
-use crate::report::markdown::markup::{paragraph, strings, table_with_bold};
+use crate::report::markdown::markup::{bold, paragraph, strings, table};
 use crate::report::markdown::report_data::Table;
 use crate::report::summary::{SummaryRow, summary_rows};
 use crate::result::result_file::ResultFile;
@@ -11,14 +11,18 @@ pub(crate) fn table_of_checks(page: &mut String, result: &ResultFile) {
     if rows.is_empty() {
         return;
     }
-    let bold: Vec<bool> = rows.iter().map(|r| r.governs).collect();
     let cells = |r: SummaryRow| {
-        [r.case, r.check, r.demand, r.resistance, r.utilisation, r.clause, r.status].to_vec()
+        let cells =
+            [r.case, r.check, r.demand, r.resistance, r.utilisation, r.clause, r.status].to_vec();
+        match r.governs {
+            true => cells.iter().map(|c| bold(c)).collect(),
+            false => cells,
+        }
     };
     paragraph(page, "Every check with a demand, the worst first; the governing one is bold:");
     let columns = strings(["case", "check", "Ed", "Rd", "utilisation", "clause", "status"]);
     let rows = rows.into_iter().map(cells).collect();
-    table_with_bold(page, &Table { columns, rows }, &bold);
+    table(page, &Table { columns, rows });
 }
 
 #[cfg(test)]

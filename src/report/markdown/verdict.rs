@@ -3,7 +3,7 @@
 
 use crate::checks::Judgement;
 use crate::checks::verdict::Verdict;
-use crate::report::markdown::markup::{inline, paragraph, strings, table};
+use crate::report::markdown::markup::{bold, inline, paragraph, strings, table};
 use crate::report::markdown::report_data::Table;
 use crate::report::summary::{LIMIT_ANALYSIS, SummaryRow, summary_rows};
 use crate::result::result_file::ResultFile;
@@ -31,11 +31,11 @@ pub(crate) fn verdict(page: &mut String, result: &ResultFile) {
 }
 
 fn rows(j: &Judgement, result: &ResultFile) -> Vec<Vec<String>> {
-    let row = |(name, verdict, on): (&str, Verdict, String)| {
-        vec![name.to_owned(), verdict.words().into(), inline(&on)]
-    };
-    let all = ("**joint**", j.verdict, "the worse of the two".into());
-    parts(j, result).into_iter().chain([all]).map(row).collect()
+    let row =
+        |(name, verdict, on): (String, Verdict, String)| vec![name, verdict.words().into(), on];
+    let all = (bold("joint"), j.verdict, "the worse of the two".into());
+    let parts = parts(j, result).map(|(name, verdict, on)| (name.to_owned(), verdict, on));
+    parts.into_iter().chain([all]).map(row).collect()
 }
 
 /// The verdicts by code and by analysis: name, verdict, and what it stands on.
