@@ -116,8 +116,9 @@ pub fn clean(options: &MeshOptions) -> Result<(), Diagnostics> {
     }
 }
 
-/// The mesh quality as a table of the report.
+/// The mesh quality as a table of the report. Mended tets have a column if there are any.
 pub fn quality_table(rows: &[BodyQuality]) -> Table {
+    let mending = rows.iter().any(|r| r.mended > 0);
     let columns = [
         "body",
         "tets",
@@ -127,10 +128,11 @@ pub fn quality_table(rows: &[BodyQuality]) -> Table {
         "worst aspect ratio",
         "one-layer tets",
     ];
+    let columns = columns.into_iter().chain(mending.then_some("mended flat tets"));
     let rows = rows
         .iter()
         .map(|r| {
-            vec![
+            let mut row = vec![
                 r.body.clone(),
                 r.tets.to_string(),
                 format!("{:.0}", r.volume),
@@ -138,8 +140,10 @@ pub fn quality_table(rows: &[BodyQuality]) -> Table {
                 format!("{:.1}", r.median_dihedral),
                 format!("{:.1}", r.worst_aspect),
                 format!("{:.0} %", 100.0 * r.surface_only),
-            ]
+            ];
+            row.extend(mending.then(|| r.mended.to_string()));
+            row
         })
         .collect();
-    Table { columns: columns.map(String::from).to_vec(), rows }
+    Table { columns: columns.map(String::from).collect(), rows }
 }

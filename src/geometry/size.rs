@@ -75,7 +75,7 @@ pub fn fields(scene: &Scene, rule: &SizeRule) -> String {
         .reduce(Bounds::union);
     let mut coarsest = 0.0f64;
     for body in &scene.bodies {
-        let size = body.part.size * rule.factor;
+        let size = (body.part.size * rule.factor).min(widest(&body.whole));
         match (body.part.role, joint) {
             (PartRole::Member, Some(joint)) => {
                 let limit = size * rule.span_limit;
@@ -121,7 +121,8 @@ pub fn fields(scene: &Scene, rule: &SizeRule) -> String {
         }
     }
     for footprint in footprints(scene) {
-        let size = footprint.width() / rule.across_footprint * rule.factor;
+        // elements larger than the footprint have no meaning, and the mesher fails on them
+        let size = footprint.width() * (rule.factor / rule.across_footprint).min(1.0);
         let Rectangle { axis, at, min, max } = footprint;
         let (mut lo, mut hi) = (min, max);
         lo[axis] = at;
@@ -144,6 +145,14 @@ pub fn fields(scene: &Scene, rule: &SizeRule) -> String {
     let _ = writeln!(out, "Mesh.MeshSizeMin = 0;");
     let _ = writeln!(out, "Mesh.MeshSizeMax = {coarsest};");
     out
+}
+
+/// Largest element size of a part \[mm\]: its middle dimension, the width of a plate or the head of
+/// a bolt. The mesher crashes if it looks for elements that are larger than the part.
+fn widest(whole: &Bounds) -> f64 {
+    let mut sides: [f64; 3] = std::array::from_fn(|k| whole.max[k] - whole.min[k]);
+    sides.sort_by(f64::total_cmp);
+    sides[1]
 }
 
 fn box_field(out: &mut String, id: usize, inside: f64, outside: f64, min: V3, max: V3, reach: f64) {

@@ -122,6 +122,9 @@ impl JointMesh {
     }
 }
 
+/// Name of the mesher's log.
+const LOG: &str = "gmsh.log";
+
 /// One run of the mesher.
 fn mesh_once(
     geo: &str,
@@ -135,11 +138,10 @@ fn mesh_once(
     let in_mesher = Instant::now();
     let raw = dir.join("joint_raw.msh");
     remove(&raw)?;
-    let log = "gmsh.log";
     mesher.run(
         &["joint.geo", "-3", "-o", "joint_raw.msh"],
         dir,
-        log,
+        LOG,
         time_limit,
         options.interrupt.as_deref(),
     )?;

@@ -1,7 +1,7 @@
 //! Attempts at a mesh: with the usual algorithm first, then with others, then with slightly
 //! different element sizes.
 
-use super::{JointMesh, MeshOptions};
+use super::{JointMesh, LOG, MeshOptions};
 use crate::diag::Diagnostics;
 use crate::mesh::mend::FLAT;
 use crate::mesh::mesher_error::MesherError;
@@ -19,13 +19,17 @@ const ATTEMPTS: [(&str, &str); 6] = [
     ("Mesh.MeshSizeFactor = 1.03;\n", "with sizes times 1.03"),
 ];
 
-/// Codes of errors of the mesher that another attempt may cure, and their words.
+/// Codes of errors of the mesher that another attempt may cure, and their words. The mesher's own
+/// errors count only once it meshes: those of the geometry come again each time.
 const CURABLE: [(&str, &str); 4] = [
     ("mesh/flat", "a tet was all but flat"),
     ("mesh/folded", "tets overlapped"),
     ("mesher/crashed", "the mesher crashed"),
-    ("mesher/failed-to-mesh", "the mesher failed"),
+    ("mesher/failed", "the mesher failed"),
 ];
+
+/// The line of the mesher's log with which meshing begins.
+const MESHING: &str = "Meshing 1D";
 
 /// One attempt: the lines added to the script, the time left, the progress.
 type Attempt<'a> =
@@ -62,7 +66,7 @@ pub(super) fn best(
                 why = "a tet was all but flat";
             }
             Err(faults) if faults.iter().any(|d| d.code == INTERRUPTED) => return Err(faults),
-            Err(faults) => match curable(&faults) {
+            Err(faults) => match curable(&faults, options) {
                 Some(words) => {
                     why = words;
                     first_fault.get_or_insert(faults);
@@ -87,9 +91,111 @@ pub(super) fn best(
 const INTERRUPTED: &str = "mesher/interrupted";
 
 /// The words for faults that another attempt may cure; `None` for others.
-fn curable(faults: &Diagnostics) -> Option<&'static str> {
+fn curable(faults: &Diagnostics, options: &MeshOptions) -> Option<&'static str> {
     let words = |code: &str| CURABLE.iter().find(|(c, _)| *c == code).map(|(_, words)| *words);
+    let meshing = || {
+        let log = std::fs::read(options.work_dir.join(LOG)).unwrap_or_default();
+        String::from_utf8_lossy(&log).contains(MESHING)
+    };
+    if faults.iter().any(|d| d.code == "mesher/failed") && !meshing() {
+        return None;
+    }
     let mut all = faults.iter().map(|d| words(d.code));
     let first = all.next()??;
     all.all(|w| w.is_some()).then_some(first)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diag::Diagnostic;
+    use crate::mesh::TetMesh;
+    use crate::mesh::naming::Checks;
+    use crate::mesh::quality::BodyQuality;
+
+    /// A mesh of one body with this smallest dihedral angle.
+    fn mesh(worst: f64) -> JointMesh {
+        let quality = BodyQuality {
+            body: "A".into(),
+            tets: 1,
+            volume: 1.0,
+            worst_dihedral: worst,
+            median_dihedral: 30.0,
+            worst_aspect: 1.0,
+            surface_only: 0.0,
+            mended: 0,
+        };
+        JointMesh {
+            mesh: TetMesh::default(),
+            quality: vec![quality],
+            checks: Checks::default(),
+            symmetry_used: Vec::new(),
+            copies: 1,
+            geo: String::new(),
+            mesher: String::new(),
+            mesher_seconds: 0.0,
+            seconds: 0.0,
+        }
+    }
+
+    /// Runs attempts with these outcomes: smallest angles or errors. Returns the answer (an angle
+    /// or a code), the number of attempts, and the progress.
+    fn run(outcomes: &[Result<f64, MesherError>]) -> (Result<f64, &'static str>, usize, String) {
+        let dir = tempfile::tempdir().expect("temporary folder");
+        let options = MeshOptions::new(dir.path());
+        let (mut count, mut lines) = (0, Vec::new());
+        let answer = best(
+            &options,
+            Instant::now(),
+            &mut |line| lines.push(line.to_string()),
+            &mut |extra, _, _| {
+                count += 1;
+                assert_eq!(extra.is_empty(), count == 1, "{extra}");
+                match &outcomes[(count - 1).min(outcomes.len() - 1)] {
+                    Ok(worst) => Ok(mesh(*worst)),
+                    Err(MesherError::Crashed { signal }) => {
+                        Err(MesherError::Crashed { signal: *signal }.into())
+                    }
+                    Err(MesherError::Interrupted { seconds }) => {
+                        Err(MesherError::Interrupted { seconds: *seconds }.into())
+                    }
+                    Err(_) => Err(MesherError::TimeLimit { seconds: 1.0 }.into()),
+                }
+            },
+        );
+        let code = |faults: Diagnostics| faults.iter().map(|d: &Diagnostic| d.code).next();
+        let answer = answer.map(|m| m.worst_dihedral()).map_err(|f| code(f).unwrap_or_default());
+        (answer, count, lines.join("\n"))
+    }
+
+    #[test]
+    fn a_fault_of_a_later_attempt_keeps_the_earlier_mesh() {
+        let time = || Err(MesherError::TimeLimit { seconds: 1.0 });
+        let crash = || Err(MesherError::Crashed { signal: 11 });
+        assert_eq!(run(&[Ok(0.3), time()]).0, Ok(0.3));
+        assert_eq!(run(&[Ok(0.3), time()]).1, 2);
+        assert_eq!(run(&[Ok(0.3), crash(), Ok(0.2), crash()]).0, Ok(0.3));
+        assert_eq!(run(&[Ok(0.3), crash(), Ok(0.4), Ok(3.0)]), {
+            let lines = "meshing\nmeshing again by Delaunay's algorithm: a tet was all but flat\n\
+                         meshing again by an advancing front: the mesher crashed\n\
+                         meshing again with sizes times 0.97: a tet was all but flat";
+            (Ok(3.0), 4, lines.to_string())
+        });
+        // without a mesh the fault counts
+        assert_eq!(run(&[time()]).0, Err("mesher/time"));
+        assert_eq!(run(&[crash(), time()]).0, Err("mesher/time"));
+    }
+
+    #[test]
+    fn an_interruption_counts_even_with_a_mesh() {
+        let stop = Err(MesherError::Interrupted { seconds: 1.0 });
+        assert_eq!(run(&[Ok(0.3), stop]).0, Err("mesher/interrupted"));
+    }
+
+    #[test]
+    fn a_crash_is_named_and_other_ways_are_tried() {
+        let (answer, count, lines) = run(&[Err(MesherError::Crashed { signal: 6 })]);
+        assert_eq!((answer, count), (Err("mesher/crashed"), ATTEMPTS.len()));
+        assert!(lines.contains("the mesher crashed") && !lines.contains("flat"), "{lines}");
+    }
 }

@@ -213,6 +213,11 @@ fn killed_mesher_is_told_from_a_failed_one() {
     let d = with_fake("kill -9 $$", 10.0);
     assert_eq!((d.code, d.fault.exit_code()), ("mesher/killed", 4));
     assert!(d.message.contains("signal 9"), "{}", d.message);
+    // a crash of the program, or of the one behind a shell
+    for crash in ["kill -11 $$", "exit 134", "exit 139"] {
+        assert_eq!(with_fake(crash, 10.0).code, "mesher/crashed", "{crash}");
+    }
+    assert_eq!(with_fake("exit 130", 10.0).code, "mesher/failed");
     let d = with_fake("echo 'Error   : Could not fuse' >&2; exit 1", 10.0);
     assert_eq!(d.code, "mesher/failed");
     assert!(
@@ -220,6 +225,32 @@ fn killed_mesher_is_told_from_a_failed_one() {
         "{}",
         d.message
     );
+}
+
+/// Errors while meshing are tried again, with other algorithms and sizes; those of the geometry
+/// come again each time and are reported at once.
+#[test]
+#[cfg(unix)]
+fn only_errors_of_meshing_are_tried_again() {
+    let runs = |body: &str| {
+        let dir = tempfile::tempdir().expect("temporary folder");
+        let mesher = fake(dir.path(), &format!("echo run >> ../runs\n{body}"));
+        let d = failure(&lap_joint(), dir.path(), Some(mesher), 20.0);
+        let runs = std::fs::read_to_string(dir.path().join("runs")).expect("runs");
+        (d.code, runs.lines().count())
+    };
+    assert_eq!(runs("echo 'Error   : Could not fuse'"), ("mesher/failed", 1));
+    let meshing = "echo 'Info    : Meshing 1D...'; echo 'Error   : PLC Error'";
+    assert_eq!(runs(meshing), ("mesher/failed", 6));
+}
+
+/// Sizes far above those of the parts end at the width of each part.
+#[test]
+fn sizes_larger_than_the_parts_are_meshed() {
+    for factor in [8.0, 20.0, 1000.0] {
+        let m = meshed(&lap_joint(), |o| o.sizes.factor = factor);
+        assert!(m.worst_dihedral() >= mend::FLAT, "{factor}: {}", quality::text(&m.quality));
+    }
 }
 
 #[test]

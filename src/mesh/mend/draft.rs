@@ -1,7 +1,7 @@
 //! A mesh that is being mended: its tets, what keeps the polyhedron in place (freedoms of nodes,
 //! triangles of facets, edges where facets end), and changes that can be judged, made and undone.
 
-use crate::math::vec3::{V3, area_vector, norm, sub};
+use crate::math::vec3::{V3, area_vector, norm};
 use crate::mesh::TetMesh;
 use crate::mesh::polyhedron::{Polyhedron, sides};
 use crate::mesh::quality::{FLAT_VOLUME, longest_edge, smallest_dihedral};
@@ -344,11 +344,6 @@ impl<'a> Draft<'a> {
         ends.sort_unstable();
         ends.dedup();
         ends
-    }
-
-    /// Distance of two nodes \[mm\].
-    pub fn distance(&self, a: u32, b: u32) -> f64 {
-        norm(sub(self.at(a), self.at(b)))
     }
 }
 

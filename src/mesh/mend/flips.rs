@@ -38,7 +38,7 @@ pub fn edge_removal(d: &Draft, a: u32, b: u32) -> Option<Change> {
     ends.dedup();
     let mut change = Change { gone, ..Change::default() };
     let chains: Vec<Chain> = match ends[..] {
-        [] => vec![walk(d, &links, links.iter().map(|l| l[0]).min()?, &[])?],
+        [] => vec![walk(&links, links.iter().map(|l| l[0]).min()?, &[])?],
         [s, t] => {
             let facet = d.facet([a, b, s])?;
             if d.facet([a, b, t]) != Some(facet) {
@@ -47,7 +47,7 @@ pub fn edge_removal(d: &Draft, a: u32, b: u32) -> Option<Change> {
             change.lost = [s, t].map(|n| sorted([a, b, n]).0).to_vec();
             change.gained = [a, b].map(|n| (sorted([s, t, n]).0, facet)).to_vec();
             let starts = [s, t].into_iter().filter(|n| links.iter().any(|l| l[0] == *n));
-            starts.map(|n| walk(d, &links, n, &[s, t])).collect::<Option<_>>()?
+            starts.map(|n| walk(&links, n, &[s, t])).collect::<Option<_>>()?
         }
         _ => return None,
     };
@@ -78,7 +78,7 @@ fn link(d: &Draft, e: u32, a: u32, b: u32) -> Option<[u32; 3]> {
 }
 
 /// Walks from `start` to one of `ends`, or around. `None` if the region changes on the way.
-fn walk(d: &Draft, links: &[[u32; 3]], start: u32, ends: &[u32]) -> Option<Chain> {
+fn walk(links: &[[u32; 3]], start: u32, ends: &[u32]) -> Option<Chain> {
     let next = |n: u32| links.iter().find(|l| l[0] == n);
     let region = next(start)?[2];
     let mut ring = vec![start];
