@@ -8,6 +8,7 @@ use crate::geometry::Scene;
 use crate::geometry::geo_script::{Purpose, Sizing, script};
 use crate::result::result_file::input_hash;
 use crate::spec::analysis::AnalysisKind;
+use serde_json::Value;
 
 /// Hash of the input of a run. `models` are the texts of the model files on the first mesh: they
 /// contain the values of the catalogue and the template. The script contains those of the mesher.
@@ -34,13 +35,34 @@ pub fn spec_hash(
 /// Hash of the input of the hand checks. The end plate as passed to them contains the values of the
 /// catalogue and the template.
 pub fn checked_hash(input: &SpecFile) -> Result<String, Diagnostics> {
-    let seen = serde_json::to_string(&input.joint.end_plate).map_err(|e| {
+    let fault = |e: serde_json::Error| {
         Diagnostic::environment("cli/check", format!("the joint cannot be written: {e}"))
-    })?;
+    };
+    let seen = if input.catalog.own_tables().is_empty() {
+        serde_json::to_string(&input.joint.end_plate).map_err(fault)?
+    } else {
+        let mut seen = serde_json::to_value(&input.joint.end_plate).map_err(fault)?;
+        without_files(&mut seen);
+        seen.to_string()
+    };
     Ok(input_hash(&[("spec", input.text.as_bytes()), ("joint", seen.as_bytes())]))
 }
 
 /// Hash of a model file and its mesh.
 pub fn model_hash(text: &str, mesh: &[u8]) -> String {
     input_hash(&[("model", text.as_bytes()), ("mesh", mesh)])
+}
+
+/// Removes the paths of tables: the result has copies of the user's tables in another folder.
+fn without_files(value: &mut Value) {
+    match value {
+        Value::Object(keys) => {
+            if let Some(Value::Object(source)) = keys.get_mut("source") {
+                source.remove("file");
+            }
+            keys.values_mut().for_each(without_files);
+        }
+        Value::Array(items) => items.iter_mut().for_each(without_files),
+        _ => {}
+    }
 }

@@ -155,7 +155,7 @@ fn own_tables_are_stored_with_the_result() {
     let bench = Bench::new().file("joint.yaml", spec);
     std::fs::create_dir(bench.path().join("mine")).expect("made");
     write(&bench, "mine/grades.csv", table);
-    let out = bench.run(&["check", "joint.yaml", "--catalog", "mine", "-q"]);
+    let out = bench.run(&["check", "joint.yaml", "--catalog", "mine", "--out", "joint", "-q"]);
     let code = out.status.code().expect("a code");
     assert!(code == 0 || code == 1, "{}", String::from_utf8_lossy(&out.stderr));
     assert_eq!(bench.read("joint/input/catalog/grades.csv"), table);
