@@ -98,7 +98,8 @@ fn elastic_parts_that_touch_a_loaded_one() {
 fn plastic_parts_that_touch_a_loaded_one() {
     for parts in [2, 3] {
         for law in LAWS {
-            let yaml = pushed(parts, law).replace("[-60, 5, 20]", "[-150, 5, 20]");
+            // three quarters of the load that the base carries on this mesh
+            let yaml = pushed(parts, law).replace("[-60, 5, 20]", "[-90, 7.5, 30]");
             let model = plastic_model(&yaml, stack(parts));
             let pass = plastic(&model);
             let mut model = model;
@@ -191,7 +192,9 @@ fn no_equilibrium_names_the_part_and_its_motion() {
         println!("{law}: {:?} {:?} {:?}", statics.status, statics.mechanism, statics.trouble);
         assert_ne!(statics.status, SolveStatus::Optimal);
         if let Some(reason) = statics.mechanism.as_ref().or(statics.trouble.as_ref()) {
-            assert!(reason.contains("part LOW moves along +z"), "{reason}");
+            // with friction many motions open the contact, along and across it
+            let motion = if law == LAWS[0] { "part LOW moves along +z" } else { "part LOW moves" };
+            assert!(reason.contains(motion), "{reason}");
         }
     }
 }
