@@ -1,7 +1,7 @@
 //! Adaptive passes: successively better meshes until the target gap or a limit is reached. The
 //! result consists of the best bounds of all passes.
 
-use crate::diag::{Diagnostic, Diagnostics};
+use crate::diag::Diagnostics;
 use crate::driver::case::Case;
 use crate::driver::context::RunContext;
 use crate::driver::limits::Limits;
@@ -122,8 +122,8 @@ fn finish(
     let Some(b) = best(&entries) else { return Err(lost(name).into()) };
     // a pass is kept as soon as it is the best; a bound without its fields and mesh is not reported
     let mut take = |index: usize| {
-        let place = kept.iter().position(|k| k.index == index).ok_or_else(|| lost(name))?;
-        Ok::<_, Diagnostic>(kept.swap_remove(place))
+        let place = kept.iter().position(|k| k.index == index);
+        place.map(|i| kept.swap_remove(i)).ok_or_else(|| Diagnostics::from(lost(name)))
     };
     let upper = take(b.upper)?;
     let lower = if b.lower == b.upper { None } else { Some(take(b.lower)?) };

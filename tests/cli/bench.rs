@@ -9,6 +9,9 @@ use std::process::{Command, Output};
 /// The paper's joint: a valid spec that the tests make wrong.
 pub const JOINT: &str = include_str!("../../examples/paper_joint/joint.yaml");
 
+/// A change of a result, with the words by which `verify` refutes it.
+pub type Edit<'a> = (&'a str, &'a dyn Fn(&mut serde_json::Value));
+
 /// A temporary folder with input files.
 pub struct Bench {
     dir: tempfile::TempDir,

@@ -1,7 +1,7 @@
 //! Forged results: who changes a value of `result.json` or a derived array of a field file and
 //! writes the digests again is refuted, unless the documentation calls the value recorded.
 
-use crate::bench::Bench;
+use crate::bench::{Bench, Edit};
 use crate::limit_analysis::{BAR, bar, number, result};
 use crate::{MODEL, bench, expect};
 use bracket::driver::verify_folder::{RECORDED, verify_folder};
@@ -147,7 +147,7 @@ fn histories_with_more_than_the_meshes_prove_are_refuted() {
     let bench = bench(MODEL);
     expect(&bench, &["analyse", "block.yaml", "-q"], 0);
     let honest = result(&bench, "block");
-    let edits: [(&str, &dyn Fn(&mut Value)); 6] = [
+    let edits: [Edit<'_>; 6] = [
         // a mesh that nobody has, with tight bounds, before and after the true one
         ("the best bounds of history", &|rows| {
             let mut row = rows[0].clone();

@@ -1,7 +1,7 @@
 //! A capacity polygon by the compiled program: the arm of [`crate::verdicts`] under moment and
 //! axial force.
 
-use crate::bench::{Bench, Want, none_wrong, refusal};
+use crate::bench::{Bench, Edit, Want, none_wrong, refusal};
 use crate::expect;
 use crate::verdicts::TEMPLATE;
 use serde_json::Value;
@@ -102,7 +102,7 @@ fn refutes_every_change(bench: &Bench, result: &Value) {
     let (out, _) = expect(bench.sealed("joint"), &["verify", "joint"], 1);
     assert!(out.contains("REFUTED: polygon"), "{out}");
     // what the spec asks for, and half planes that the mechanisms prove, cannot be left out
-    let edits: [(&str, &dyn Fn(&mut Value)); 7] = [
+    let edits: [Edit<'_>; 7] = [
         ("polygon is missing", &|r| drop(r.as_object_mut().expect("keys").remove("polygon"))),
         ("polygon.points: case and direction", &|r| {
             drop(r["polygon"]["points"].as_array_mut().expect("points").remove(1));

@@ -1,7 +1,7 @@
 //! `bracket verify` confirms the files that `bracket analyse` wrote, and refutes them after any
 //! change.
 
-use crate::bench::Bench;
+use crate::bench::{Bench, Edit};
 use crate::{MODEL, bench, expect, mesh};
 use bracket::result::fields::vtu::VtuGrid;
 use serde_json::{Value, json};
@@ -200,7 +200,7 @@ fn stiffness_and_bolt_forces_are_found_again_and_every_change_is_refuted() {
         assert!(out.contains("REFUTED: ULS1") && out.contains(words), "{pointer}: {out}");
     }
     // a bolt under another part, or moved, would have other forces; a bolt left out has none
-    let edits: [(&str, &dyn Fn(&mut Value)); 4] = [
+    let edits: [Edit<'_>; 4] = [
         ("the place of bolt", &|f| f["bolts"][0]["place"]["position"][1] = json!(1.0e3)),
         ("the place of bolt", &|f| f["bolts"][0]["place"]["axis"] = json!([0.0, 0.0, 1.0])),
         ("the bolts are not those", &|f| drop(f["bolts"].as_array_mut().expect("bolts").pop())),

@@ -8,8 +8,7 @@ use super::*;
 use crate::math::vec3::{V3, area_vector, dot, norm, sub};
 use crate::mesh::fixtures::{cubes, name};
 use crate::mesh::orient;
-use crate::mesh::quality::smallest_dihedral;
-use crate::mesh::topology::{FaceTable, face_nodes};
+use crate::mesh::topology::FaceTable;
 use proptest::prelude::*;
 
 /// A mesh of these tets, oriented alike; each with its body.

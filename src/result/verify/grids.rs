@@ -83,7 +83,8 @@ mod tests {
             field_data: vec![("load_factor".into(), 1, vec![2.0])],
         };
         assert_eq!(grid_difference(&grid, &grid), None);
-        let changes: [(&str, fn(&mut VtuGrid)); 7] = [
+        type Change = (&'static str, fn(&mut VtuGrid));
+        let changes: [Change; 7] = [
             ("the list of points", |g| g.points[1][0] = 1.1),
             ("the list of cells", |g| g.cells.swap(0, 1)),
             ("array `u`", |g| g.point_data[0].2[0] = 1e-6),
