@@ -110,8 +110,11 @@ pub fn mesh_joint(
         msh_write::write_whole(&dir.join(SIZES_FILE), view)?;
     }
     let mesher = mesher(options)?;
-    attempts::best(options, started, progress, &mut |extra, left, progress| {
-        mesh_once(&format!("{geo}{extra}"), &scene, (&mesher, left), options, progress)
+    let place = attempts::Place { folder: dir, started, limit: options.time_limit };
+    attempts::best(&place, progress, JointMesh::worst_dihedral, &mut |extra, left, progress| {
+        let found =
+            mesh_once(&format!("{geo}{extra}"), &scene, (&mesher, left), options, progress)?;
+        Ok(JointMesh { seconds: started.elapsed().as_secs_f64(), ..found })
     })
 }
 
@@ -121,9 +124,6 @@ impl JointMesh {
         self.quality.iter().fold(f64::INFINITY, |least, body| least.min(body.worst_dihedral))
     }
 }
-
-/// Name of the mesher's log.
-const LOG: &str = "gmsh.log";
 
 /// One run of the mesher.
 fn mesh_once(
@@ -141,7 +141,7 @@ fn mesh_once(
     mesher.run(
         &["joint.geo", "-3", "-o", "joint_raw.msh"],
         dir,
-        LOG,
+        attempts::LOG,
         time_limit,
         options.interrupt.as_deref(),
     )?;

@@ -18,6 +18,9 @@ const NOISE: f64 = 1e-7;
 const CUT_OFFS: [f64; 7] = [1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3];
 /// Work left open that counts as rounding, over the work of the forces and of the loads' size.
 const ROUNDING: f64 = 1e-12;
+/// Work left open of a rough balance, over what is balanced: the elastic corrections that follow
+/// take it up, or the certificate refuses the field.
+const ROUGH: f64 = 1e-6;
 
 /// Forces in sets, and the work that they must do.
 pub(crate) struct InterfaceBalance<'a> {
@@ -128,26 +131,27 @@ impl InterfaceBalance<'_> {
         sets.extend(factor.map(|_| factor_set(z.len())));
         z.extend(factor);
         let inside = balance(&sets, self.rows, self.needed, &mut z);
-        let balanced = inside && self.is_balanced(&z);
+        let balanced = |part: f64| inside && self.is_balanced(&z, part);
+        let (balanced, rough) = (balanced(ROUNDING), balanced(ROUGH));
         let factor = factor.and_then(|_| z.pop());
         if balanced {
             return Some((z, factor));
         }
-        let kept = if inside { &mut attempts.rough } else { &mut attempts.outside };
+        let kept = if rough { &mut attempts.rough } else { &mut attempts.outside };
         if kept.is_none() && factor.is_none_or(f64::is_finite) {
             *kept = Some((z, factor));
         }
         None
     }
 
-    /// True when the work left open is rounding.
-    fn is_balanced(&self, z: &[f64]) -> bool {
+    /// True when the work left open is at most this part of what is balanced.
+    fn is_balanced(&self, z: &[f64], part: f64) -> bool {
         self.rows.iter().zip(self.needed).all(|(row, needed)| {
             let terms = || row.iter().zip(z).map(|(a, z)| a * z);
             let open = Sum::of(terms().chain([-needed]));
             let size = terms().map(f64::abs).sum::<f64>() + needed.abs();
             let loads = self.pressure * row.iter().map(|a| a.abs()).sum::<f64>();
-            open.abs() <= ROUNDING * (size + loads)
+            open.abs() <= part * (size + loads)
         })
     }
 }

@@ -124,8 +124,9 @@ impl<'a> Motions<'a> {
         basis.iter().map(|c| combined(self.rows, c)).collect()
     }
 
-    /// The cones of the forces that are not zero, over combinations on which the forces do the given
-    /// work, and the set of each cone; the load factor, whose work must not be negative, has none.
+    /// The cones of the forces that are not zero, over combinations on which the forces do the
+    /// given work, and the set of each cone; the load factor, whose work must not be negative, has
+    /// none.
     fn program(&self, work: &[Vec<f64>], zero: &[bool]) -> (ConicProgram, Vec<Option<usize>>) {
         let mut program = ConicProgram::default();
         program.p.n = work.len();

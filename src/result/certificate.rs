@@ -35,8 +35,8 @@ pub struct Certificate {
 }
 
 impl Certificate {
-    /// The residuals of a kinematic and a static field: each its own, the larger one where both have
-    /// one.
+    /// The residuals of a kinematic and a static field: each its own, the larger one where both
+    /// have one.
     pub fn with(&self, other: &Self) -> Self {
         let larger = |a: Option<f64>, b: Option<f64>| [a, b].into_iter().flatten().reduce(f64::max);
         Self {

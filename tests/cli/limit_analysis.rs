@@ -30,7 +30,7 @@ const EXACT: f64 = 2.35;
 
 /// A block on a base under half of the pressure that it can carry: proportional pressure, contact,
 /// friction.
-const STACK: &str = "\
+pub const STACK: &str = "\
 mesh: m.msh
 analysis: limit
 materials: {steel: {E: 210000, nu: 0.3, fy: 235}}

@@ -51,6 +51,8 @@ fn the_result_holds_what_the_contract_promises() {
         "block/log.txt",
         "block/mesh.msh",
         "block/mesh.png",
+        "block/mesh_front.png",
+        "block/mesh_side.png",
         "block/model.yaml",
         "block/report.html",
         "block/report.json",
@@ -184,7 +186,7 @@ fn two_runs_differ_in_seconds_and_memory_only() {
             }
         }
     }
-    assert_eq!(alike, 4);
+    assert_eq!(alike, 6);
 }
 
 #[test]

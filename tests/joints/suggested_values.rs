@@ -4,7 +4,6 @@
 use bracket::diag::Diagnostics;
 use bracket::driver::spec_file;
 use bracket::geometry::proximity;
-use std::path::Path;
 
 const COLUMN: &str = r#"template: beam_to_column_end_plate
 members: {column: {profile: HEB200, steel: S235}, beam: {profile: IPE360, steel: S235}}
@@ -42,7 +41,10 @@ fn spec(base: &str, given: &[(&str, &str)]) -> String {
 
 /// The faults of a spec, those of the clash check included.
 fn faults(text: &str) -> Result<(), Diagnostics> {
-    let file = spec_file::parse(text, Path::new("spec.yaml"), None)?;
+    let folder = tempfile::tempdir().expect("temporary folder");
+    let path = folder.path().join("spec.yaml");
+    std::fs::write(&path, text).expect("written");
+    let file = spec_file::read(&path, None)?;
     proximity::check(&file.joint.assembly, &|| false).expect("it is not stopped")
 }
 

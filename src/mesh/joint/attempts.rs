@@ -1,11 +1,14 @@
 //! Attempts at a mesh: with the usual algorithm first, then with others, then with slightly
 //! different element sizes.
 
-use super::{JointMesh, LOG, MeshOptions};
 use crate::diag::Diagnostics;
 use crate::mesh::mend::FLAT;
 use crate::mesh::mesher_error::MesherError;
+use std::path::Path;
 use std::time::{Duration, Instant};
+
+/// File of the mesher's log.
+pub(super) const LOG: &str = "gmsh.log";
 
 /// What is added to the script in each attempt, and how the progress names it. A sliver that cannot
 /// be mended, and a crash, come from the way in which the mesher inserts points one after another;
@@ -32,18 +35,29 @@ const CURABLE: [(&str, &str); 4] = [
 const MESHING: &str = "Meshing 1D";
 
 /// One attempt: the lines added to the script, the time left, the progress.
-type Attempt<'a> =
-    dyn FnMut(&str, Duration, &mut dyn FnMut(&str)) -> Result<JointMesh, Diagnostics> + 'a;
+type Attempt<'a, M> =
+    dyn FnMut(&str, Duration, &mut dyn FnMut(&str)) -> Result<M, Diagnostics> + 'a;
 
-/// The first mesh without flat tets, or the best of all attempts. A fault of a later attempt does
-/// not discard the mesh of an earlier one, unless the user interrupts.
-pub(super) fn best(
-    options: &MeshOptions,
-    started: Instant,
+/// Where the attempts are made.
+pub(super) struct Place<'a> {
+    /// Folder of the mesher's log.
+    pub folder: &'a Path,
+    /// Begin of the first attempt.
+    pub started: Instant,
+    /// Time for all attempts.
+    pub limit: Duration,
+}
+
+/// The first mesh without flat tets, or the best of all attempts; `worst` gives the smallest
+/// dihedral angle of a mesh \[degrees\]. A fault of a later attempt does not discard the mesh of an
+/// earlier one, unless the user interrupts.
+pub(super) fn best<M>(
+    place: &Place,
     progress: &mut dyn FnMut(&str),
-    attempt: &mut Attempt,
-) -> Result<JointMesh, Diagnostics> {
-    let mut best: Option<JointMesh> = None;
+    worst: impl Fn(&M) -> f64,
+    attempt: &mut Attempt<M>,
+) -> Result<M, Diagnostics> {
+    let mut best: Option<M> = None;
     let mut first_fault: Option<Diagnostics> = None;
     let mut why = "";
     for (extra, how) in ATTEMPTS {
@@ -52,21 +66,20 @@ pub(super) fn best(
         } else {
             format!("meshing again {how}: {why}")
         });
-        let left = options.time_limit.saturating_sub(started.elapsed());
+        let left = place.limit.saturating_sub(place.started.elapsed());
         match attempt(extra, left, progress) {
             Ok(found) => {
-                let found = JointMesh { seconds: started.elapsed().as_secs_f64(), ..found };
-                let worst = found.worst_dihedral();
-                if best.as_ref().is_none_or(|b| b.worst_dihedral() < worst) {
+                let angle = worst(&found);
+                if best.as_ref().is_none_or(|b| worst(b) < angle) {
                     best = Some(found);
                 }
-                if worst >= FLAT {
+                if angle >= FLAT {
                     break;
                 }
                 why = "a tet was all but flat";
             }
             Err(faults) if faults.iter().any(|d| d.code == INTERRUPTED) => return Err(faults),
-            Err(faults) => match curable(&faults, options) {
+            Err(faults) => match curable(&faults, place.folder) {
                 Some(words) => {
                     why = words;
                     first_fault.get_or_insert(faults);
@@ -91,10 +104,10 @@ pub(super) fn best(
 const INTERRUPTED: &str = "mesher/interrupted";
 
 /// The words for faults that another attempt may cure; `None` for others.
-fn curable(faults: &Diagnostics, options: &MeshOptions) -> Option<&'static str> {
+fn curable(faults: &Diagnostics, folder: &Path) -> Option<&'static str> {
     let words = |code: &str| CURABLE.iter().find(|(c, _)| *c == code).map(|(_, words)| *words);
     let meshing = || {
-        let log = std::fs::read(options.work_dir.join(LOG)).unwrap_or_default();
+        let log = std::fs::read(folder.join(LOG)).unwrap_or_default();
         String::from_utf8_lossy(&log).contains(MESHING)
     };
     if faults.iter().any(|d| d.code == "mesher/failed") && !meshing() {
@@ -109,50 +122,23 @@ fn curable(faults: &Diagnostics, options: &MeshOptions) -> Option<&'static str> 
 mod tests {
     use super::*;
     use crate::diag::Diagnostic;
-    use crate::mesh::TetMesh;
-    use crate::mesh::naming::Checks;
-    use crate::mesh::quality::BodyQuality;
-
-    /// A mesh of one body with this smallest dihedral angle.
-    fn mesh(worst: f64) -> JointMesh {
-        let quality = BodyQuality {
-            body: "A".into(),
-            tets: 1,
-            volume: 1.0,
-            worst_dihedral: worst,
-            median_dihedral: 30.0,
-            worst_aspect: 1.0,
-            surface_only: 0.0,
-            mended: 0,
-        };
-        JointMesh {
-            mesh: TetMesh::default(),
-            quality: vec![quality],
-            checks: Checks::default(),
-            symmetry_used: Vec::new(),
-            copies: 1,
-            geo: String::new(),
-            mesher: String::new(),
-            mesher_seconds: 0.0,
-            seconds: 0.0,
-        }
-    }
 
     /// Runs attempts with these outcomes: smallest angles or errors. Returns the answer (an angle
     /// or a code), the number of attempts, and the progress.
     fn run(outcomes: &[Result<f64, MesherError>]) -> (Result<f64, &'static str>, usize, String) {
         let dir = tempfile::tempdir().expect("temporary folder");
-        let options = MeshOptions::new(dir.path());
+        let limit = Duration::from_secs(60);
+        let place = Place { folder: dir.path(), started: Instant::now(), limit };
         let (mut count, mut lines) = (0, Vec::new());
         let answer = best(
-            &options,
-            Instant::now(),
+            &place,
             &mut |line| lines.push(line.to_string()),
+            |angle| *angle,
             &mut |extra, _, _| {
                 count += 1;
                 assert_eq!(extra.is_empty(), count == 1, "{extra}");
                 match &outcomes[(count - 1).min(outcomes.len() - 1)] {
-                    Ok(worst) => Ok(mesh(*worst)),
+                    Ok(worst) => Ok(*worst),
                     Err(MesherError::Crashed { signal }) => {
                         Err(MesherError::Crashed { signal: *signal }.into())
                     }
@@ -164,7 +150,7 @@ mod tests {
             },
         );
         let code = |faults: Diagnostics| faults.iter().map(|d: &Diagnostic| d.code).next();
-        let answer = answer.map(|m| m.worst_dihedral()).map_err(|f| code(f).unwrap_or_default());
+        let answer = answer.map_err(|f| code(f).unwrap_or_default());
         (answer, count, lines.join("\n"))
     }
 

@@ -10,7 +10,7 @@ use std::ops::Range;
 /// Deepest nesting of brackets that is read; the kinds of the open ones are the bits of a number.
 const DEEPEST: usize = 128;
 
-/// Most entries between braces, on which the time of the crate grows with the square of their number.
+/// Most entries between braces: the time of the crate grows with the square of their number.
 const MOST_ENTRIES: usize = 10_000;
 
 /// What the look at a document finds.
