@@ -147,12 +147,12 @@ pub fn fields(scene: &Scene, rule: &SizeRule) -> String {
     out
 }
 
-/// Largest element size of a part \[mm\]: its middle dimension, the width of a plate or the head of
-/// a bolt. The mesher crashes if it looks for elements that are larger than the part.
+/// Largest element size of a part \[mm\]: twice its middle dimension, the width of a plate or the
+/// head of a bolt. Larger sizes change nothing, and the mesher crashes on much larger ones.
 fn widest(whole: &Bounds) -> f64 {
     let mut sides: [f64; 3] = std::array::from_fn(|k| whole.max[k] - whole.min[k]);
     sides.sort_by(f64::total_cmp);
-    sides[1]
+    2.0 * sides[1]
 }
 
 fn box_field(out: &mut String, id: usize, inside: f64, outside: f64, min: V3, max: V3, reach: f64) {

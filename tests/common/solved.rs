@@ -173,8 +173,9 @@ impl Solved {
             let r = r.as_ref().unwrap();
             println!("{name}: {which} {:?} after {}: {:?}", r.status, r.iterations, r.mechanism);
             assert_eq!(r.status, SolveStatus::Unbounded, "{name}: {which}");
+            // at most 15 on a processor with AVX-512, 17 on one without: the order of sums differs
             assert!(
-                r.iterations <= 15,
+                r.iterations <= 20,
                 "{name}: {which} took {} iterations to its certificate",
                 r.iterations
             );
