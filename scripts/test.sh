@@ -1,7 +1,7 @@
 #!/bin/sh
 # Everything that must pass, from nothing: set up, format, lints, tests (unit, literature, doc), licences, examples.
 # --heavy adds the tests that take long (fine meshes, convergence studies, a sweep on a real Slurm, the feature `parquet`).
-# --campaign runs nothing but the campaign of random inputs (tests/campaign), which takes five minutes of the whole otherwise.
+# --campaign runs nothing but the campaign of random inputs (tests/campaign).
 set -eu
 cd -- "$(dirname -- "$0")/.."
 heavy=no
@@ -78,7 +78,6 @@ if [ "$heavy" = yes ]; then
     step "${PWD}/scripts/parquet_test.sh"
 fi
 step .venv/bin/python scripts/readme.py --check
-campaign
 
 if [ -n "$not_run" ]; then
     printf '\nnot run, because not within reach here:%s\n' "$not_run" >&2
