@@ -127,7 +127,7 @@ fn csv(face: &str, text: &str) {
     for record in reader.records() {
         for cell in record.expect("CSV").iter() {
             let number = |c: &str| c[1..].starts_with(|c: char| c.is_ascii_digit());
-            let negative = cell.starts_with('-') && !(number(cell) && !cell.contains('|'));
+            let negative = cell.starts_with('-') && (!number(cell) || cell.contains('|'));
             assert!(!cell.starts_with(['=', '+', '@', '\t', '\r']) && !negative, "{face}: {cell}");
             plain(face, cell);
         }
