@@ -5,6 +5,12 @@ use bracket::diag::Diagnostics;
 use bracket::driver::spec_file;
 use bracket::geometry::proximity;
 
+/// Base, placeholder, wrong value, other placeholders with their values, and words of the help.
+type Suggested = (&'static str, &'static str, &'static str, Given, &'static str);
+
+/// Placeholders with their values.
+type Given = &'static [(&'static str, &'static str)];
+
 const COLUMN: &str = r#"template: beam_to_column_end_plate
 members: {column: {profile: HEB200, steel: S235}, beam: {profile: IPE360, steel: S235}}
 plate: {thickness: 15, width: WIDTH, z: Z}
@@ -61,7 +67,7 @@ fn suggested(text: &str, words: &str) -> f64 {
 fn values_that_help_suggests_pass_every_later_check() {
     let stiff = "column_stiffeners: true, column_stiffener_thickness: 12.7";
     // base, word, wrong value, other values, words before the number
-    let cases: &[(&str, &str, &str, &[(&str, &str)], &str)] = &[
+    let cases: &[Suggested] = &[
         (COLUMN, "GAUGE", "40", &[], "at least"),
         (COLUMN, "GAUGE", "179", &[], "at most"),
         (COLUMN, "GAUGE", "40", &[("EXTRA", "double_sided: true")], "at least"),
