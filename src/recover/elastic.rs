@@ -18,7 +18,7 @@ use crate::programs::kinematic::Kinematic;
 use crate::programs::static_form::Static;
 use crate::programs::super_elements::SuperElements;
 use crate::recover::force_sets::{Within, cone_ranges};
-use crate::recover::interface_balance::InterfaceBalance;
+use crate::recover::interface_balance::{InterfaceBalance, absolute_work};
 use crate::recover::load_tractions::largest_traction;
 use crate::recover::moving_parts::rigid_mechanism;
 use crate::recover::restore_equilibrium::restore_equilibrium;
@@ -356,11 +356,13 @@ fn balanced_tractions(
     let rows: Vec<Vec<f64>> = modes.iter().map(|m| interface_work(statics, &m.unknowns)).collect();
     let needed: Vec<f64> =
         modes.iter().map(|m| m.unknowns.iter().zip(&program.q).map(|(a, b)| a * b).sum()).collect();
+    let terms: Vec<f64> = modes.iter().map(|m| absolute_work(&m.unknowns, &program.q)).collect();
     let model = statics.elements.model();
     let balance = InterfaceBalance {
         sets: &sets,
         rows: &rows,
         needed: &needed,
+        terms: &terms,
         // tractions of an interior-point method lie inside their cones
         margins: &[0.0],
         pressure: largest_traction(model, Loads::ALL),

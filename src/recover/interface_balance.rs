@@ -34,6 +34,8 @@ pub(crate) struct InterfaceBalance<'a> {
     /// Margins in cones and balls, relative to the pressure and to the strength; the first with
     /// which a balance is found is used.
     pub margins: &'a [f64],
+    /// The [`absolute_work`] of the loads on each motion.
+    pub terms: &'a [f64],
     /// Size of the loads \[MPa\].
     pub pressure: f64,
 }
@@ -146,14 +148,19 @@ impl InterfaceBalance<'_> {
 
     /// True when the work left open is at most this part of what is balanced.
     fn is_balanced(&self, z: &[f64], part: f64) -> bool {
-        self.rows.iter().zip(self.needed).all(|(row, needed)| {
+        self.rows.iter().zip(self.needed).zip(self.terms).all(|((row, needed), of_loads)| {
             let terms = || row.iter().zip(z).map(|(a, z)| a * z);
             let open = Sum::of(terms().chain([-needed]));
-            let size = terms().map(f64::abs).sum::<f64>() + needed.abs();
+            let size = terms().map(f64::abs).sum::<f64>() + of_loads;
             let loads = self.pressure * row.iter().map(|a| a.abs()).sum::<f64>();
             open.abs() <= part * (size + loads)
         })
     }
+}
+
+/// Sum of the absolute terms of a work \[N mm\]: the size that its rounding is measured against.
+pub(crate) fn absolute_work(motion: &[f64], forces: &[f64]) -> f64 {
+    motion.iter().zip(forces).map(|(a, b)| (a * b).abs()).sum()
 }
 
 fn factor_set(start: usize) -> Within {

@@ -27,7 +27,7 @@ use crate::recover::elastic::{
     RecoverError, add_interface_forces, balance_elements, interface_sets, interface_work,
     stress_field, unbalanced,
 };
-use crate::recover::interface_balance::{Forces, InterfaceBalance};
+use crate::recover::interface_balance::{Forces, InterfaceBalance, absolute_work};
 use crate::recover::load_tractions::largest_traction;
 use crate::solve::sparse::{Patterns, SparseCholesky};
 
@@ -191,10 +191,14 @@ fn balanced(
         })
         .collect();
     let needed: Vec<f64> = modes.iter().map(|m| -dot(&m.unknowns, &dead)).collect();
+    let terms_of =
+        |motion: &[f64]| absolute_work(motion, &dead) + factor.abs() * absolute_work(motion, &live);
+    let terms: Vec<f64> = modes.iter().map(|m| terms_of(&m.unknowns)).collect();
     let balance = InterfaceBalance {
         sets: &sets,
         rows: &rows,
         needed: &needed,
+        terms: &terms,
         margins: &INSIDE,
         pressure: largest_traction(model, Loads::at(factor)),
     };

@@ -5,7 +5,7 @@ fn balance_of<'a>(
     rows: &'a [Vec<f64>],
     needed: &'a [f64],
 ) -> InterfaceBalance<'a> {
-    InterfaceBalance { sets, rows, needed, margins: &[0.0], pressure: 1.0 }
+    InterfaceBalance { sets, rows, needed, margins: &[0.0], terms: &[2.0; 8], pressure: 1.0 }
 }
 
 /// Every force lands inside its cone or ball, forces inside stay as they are, and no nearer
