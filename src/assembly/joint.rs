@@ -7,6 +7,7 @@ use super::end_plate::{EndPlate, end_plate};
 use super::error::AssemblyError;
 use super::evaluate::{entry_fault, rules, within};
 use super::inputs::Inputs;
+use super::ledges;
 use super::origin::Origin;
 use super::part::Hole;
 use super::scope::{Resolved, Scope};
@@ -112,7 +113,7 @@ pub fn build_from(
     let resolved = scope.resolve(template, &inputs.given).map_err(&placed)?;
     rules(template, &scope).map_err(&placed)?;
     let context = Context { spec: &spec.value, template, inputs: &inputs, scope: &scope };
-    let assembly = assembly(&context).map_err(alone)?;
+    let (assembly, moved) = assembly(&context).map_err(alone)?;
     let bolts = context.bolt_lines().map_err(alone)?;
     let (actions, frames) = match &template.hand_checks {
         Some(entry) => actions::ends(template, &scope)
@@ -136,7 +137,7 @@ pub fn build_from(
         resolved,
         catalogue: inputs.catalogue(),
         end_plate,
-        notes: inputs.notes(),
+        notes: inputs.notes().into_iter().chain(moved.map(note_of_ledges)).collect(),
         bolts,
     })
 }
@@ -166,8 +167,17 @@ pub fn given_names(
     Ok(scope)
 }
 
-/// All parts, interfaces, supports, loads and symmetry planes of a joint.
-fn assembly(context: &Context<'_>) -> Result<Assembly, AssemblyError> {
+/// Says that plates were moved onto profiles by at most `largest` \[mm\].
+fn note_of_ledges(largest: f64) -> String {
+    format!(
+        "edges of plates were moved by up to {largest:.3} mm onto those of the profiles, because \
+         no element fits between them"
+    )
+}
+
+/// All parts, interfaces, supports, loads and symmetry planes of a joint, and how far its plates
+/// were moved to close ledges \[mm\].
+fn assembly(context: &Context<'_>) -> Result<(Assembly, Option<f64>), AssemblyError> {
     let bolts = context.bolts()?;
     let mut holes: BTreeMap<&str, Vec<Hole>> = BTreeMap::new();
     for b in &bolts {
@@ -235,6 +245,7 @@ fn assembly(context: &Context<'_>) -> Result<Assembly, AssemblyError> {
         welds,
         preloads,
     };
+    let moved = ledges::close(&mut a);
     a.symmetry = symmetry::planes(&a);
-    Ok(a)
+    Ok((a, moved))
 }

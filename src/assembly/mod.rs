@@ -11,6 +11,7 @@ pub mod factors;
 mod given;
 pub mod inputs;
 pub mod joint;
+mod ledges;
 pub mod origin;
 pub mod part;
 pub mod scope;

@@ -6,6 +6,7 @@ use crate::analysis::limit::{LimitPass, SUBDIVISIONS};
 use crate::certify::limit_certificate::dissipation_densities;
 use crate::certify::velocity_field::VelocityField;
 use crate::diag::Diagnostics;
+use crate::driver::context::RunContext;
 use crate::driver::passes::Kept;
 use crate::driver::pictures::{enlargement, png};
 use crate::math::vec3::{self, V3};
@@ -15,6 +16,7 @@ use crate::report::draw::raster::{Colours, Deformed, Field, PictureOptions, draw
 use crate::report::draw::section::{Plane, Section};
 use crate::report::draw::whole::Whole;
 use crate::report::markdown::report_data::PictureRef;
+use crate::report::words::Words;
 use crate::result::folder::ResultFolder;
 
 /// Share of the dissipation below which the bodies count as rigid compared with welds and
@@ -38,10 +40,11 @@ pub fn collapse_pictures(
     upper: &Kept,
     lower: &Kept,
     (name, stem): (&str, &str),
-    mirror: &[usize],
+    context: &RunContext,
     folder: &ResultFolder,
 ) -> Result<Vec<PictureRef>, Diagnostics> {
     let mut out = Vec::new();
+    let (mirror, words) = (context.mirror.as_slice(), &context.words());
     let AnalysisPass::Factor(pass) = &upper.outcome else { return Ok(out) };
     let velocity = pass.velocity.as_ref().or(pass.free.as_ref().map(|f| &f.field));
     // both pictures are seen from the same side
@@ -61,10 +64,10 @@ pub fn collapse_pictures(
         Ok(())
     };
     if let Some(v) = velocity {
-        add("mechanism", mechanism(pass, v, (&upper.model, mirror, axis), name))?;
+        add("mechanism", mechanism(pass, v, (&upper.model, mirror, axis), (name, words)))?;
     }
     if let Some(share) = lower.outcome.yield_multiplier_share() {
-        add("limiting", limiting(share, (&lower.model, mirror, axis), name))?;
+        add("limiting", limiting(share, (&lower.model, mirror, axis), (name, words)))?;
     }
     Ok(out)
 }
@@ -77,14 +80,14 @@ fn mechanism(
     pass: &LimitPass,
     v: &VelocityField,
     scene: (&AnalysisModel, &[usize], usize),
-    name: &str,
+    (name, words): (&str, &Words),
 ) -> Drawn {
     let model = scene.0;
     let u = &v.nodes.u[..model.mesh.nodes.len()];
     let size: Vec<f64> = u.iter().map(|x| vec3::norm(*x)).collect();
     let factor = enlargement(&model.mesh.nodes, &size, EXAGGERATED)?;
     let mut densities = dissipation_densities(model, v, SUBDIVISIONS);
-    let words = match shares_of(pass) {
+    let shown = match shares_of(pass) {
         Some([bodies, ..]) if bodies < LITTLE => {
             // the remaining plastic flow is rounding error and is not drawn
             densities.fill(0.0);
@@ -106,14 +109,14 @@ fn mechanism(
             "nothing dissipates".to_string()
         }
     };
-    let zones = Zones { densities, title: "dissipation density", colours: Colours::Fire };
+    let zones = Zones { densities, title: "dissipation density", colours: Colours::Fire, words };
     let (pictures, cut) = match zones.draw(scene, Some((u, factor))) {
         Ok(drawn) => drawn,
         Err(e) => return Some(Err(e)),
     };
     let tets = model.mesh.tets.len();
     let caption = format!(
-        "Case {name}: mechanism of the upper bound, {words}. Mesh of {tets} tetrahedra, deformed \
+        "Case {name}: mechanism of the upper bound, {shown}. Mesh of {tets} tetrahedra, deformed \
          not to scale{cut}; the grey lines are the edges at rest"
     );
     Some(Ok((pictures, caption)))
@@ -124,14 +127,18 @@ pub fn limiting_densities(mesh: &TetMesh, share: &[f64]) -> Vec<f64> {
     share.iter().enumerate().map(|(e, s)| s.max(0.0) / mesh.volume(e)).collect()
 }
 
-fn limiting(share: &[f64], scene: (&AnalysisModel, &[usize], usize), name: &str) -> Drawn {
+fn limiting(
+    share: &[f64],
+    scene: (&AnalysisModel, &[usize], usize),
+    (name, words): (&str, &Words),
+) -> Drawn {
     let model = scene.0;
     if share.iter().sum::<f64>() <= 0.0 {
         return None;
     }
     let densities = limiting_densities(&model.mesh, share);
     let bodies = by_body(model, &densities, 1.0, &[]);
-    let zones = Zones { densities, title: "limiting zones", colours: Colours::Violet };
+    let zones = Zones { densities, title: "limiting zones", colours: Colours::Violet, words };
     let (pictures, cut) = match zones.draw(scene, None) {
         Ok(drawn) => drawn,
         Err(e) => return Some(Err(e)),
@@ -190,14 +197,15 @@ fn quiet_axis(u: &[V3]) -> usize {
 }
 
 /// Zones of a body that a picture shows.
-struct Zones {
+struct Zones<'a> {
     /// Value per volume of each tet.
     densities: Vec<f64>,
     title: &'static str,
     colours: Colours,
+    words: &'a Words,
 }
 
-impl Zones {
+impl Zones<'_> {
     /// Draws the zones on the mesh, displaced if a displacement and its factor are given. Returns
     /// the picture and the words on the cut.
     fn draw(
@@ -211,7 +219,7 @@ impl Zones {
         let mut values = whole.scalars(&values);
         let mut moved = displaced.map(|(u, _)| whole.vectors(u));
         let plane = self.plane(model, axis, mirror.contains(&axis));
-        let mut words = String::new();
+        let mut cut = String::new();
         if let Some(plane) = plane {
             let section = Section::of(&whole.mesh, plane);
             if !section.mesh.tets.is_empty() {
@@ -220,23 +228,23 @@ impl Zones {
                 mesh = section.mesh;
                 let side = if plane.removes_above { "beyond" } else { "before" };
                 let axis = ["x", "y", "z"][plane.axis];
-                words =
-                    format!(", cut at {axis} = {:.0} mm, the part {side} is left out", plane.at);
+                cut = format!(", cut at {axis} = {:.0} mm, the part {side} is left out", plane.at);
             }
         }
         let front = if plane.is_some_and(|p| !p.removes_above) { -1.0 } else { 1.0 };
         let eye = view(axis, front);
         let field = Field {
-            name: self.title,
-            unit: "relative",
+            name: &self.words.say(self.title),
+            unit: &self.words.say("relative"),
             values: &values,
             range: Some([0.0, 1.0]),
             colours: self.colours,
         };
+        let caption = self.words.say("velocities, not to scale");
         let deformed = moved.as_ref().zip(displaced).map(|(u, (_, factor))| Deformed {
             displacement: u,
             factor,
-            to_scale: false,
+            caption: &caption,
         });
         let options = PictureOptions {
             mesh_lines: false,
@@ -253,7 +261,7 @@ impl Zones {
             let close = PictureOptions { around: Some(MARKED), ..options };
             pictures.push(png(&draw(&mesh, &close))?);
         }
-        Ok((pictures, words))
+        Ok((pictures, cut))
     }
 
     /// The cut through the slice with the largest sum, as seen from the nearer side; `None` where

@@ -8,6 +8,7 @@ use crate::report::markdown::report_data::CatalogueRow;
 use crate::report::markdown::report_data::PictureRef;
 use crate::report::markdown::report_data::ResolvedValue;
 use crate::report::markdown::report_data::Table;
+use crate::report::words::Words;
 use crate::spec::connection::Language;
 use crate::spec::polygon::PolygonSpec;
 
@@ -56,4 +57,11 @@ pub struct RunContext {
     pub bolts: Vec<BoltLine>,
     /// The requested polygon.
     pub polygon: Option<PolygonSpec>,
+}
+
+impl RunContext {
+    /// The words of the reports, for texts without names of the user.
+    pub fn words(&self) -> Words {
+        Words::new(self.language, [])
+    }
 }

@@ -3,12 +3,15 @@
 use crate::analysis::dispatch::AnalysisPass;
 use crate::certify::fields::StressField;
 use crate::diag::{Diagnostic, Diagnostics};
+use crate::driver::context::RunContext;
 use crate::math::vec3::{self, V3};
 use crate::model::AnalysisModel;
 use crate::report::draw::Picture;
 use crate::report::draw::contact_map::contact_map;
 use crate::report::draw::plot::{Plot, Series};
-use crate::report::draw::raster::{Colours, Deformed, Field, PictureOptions, draw};
+use crate::report::draw::raster::{
+    Colours, Deformed, Field, PictureOptions, completed, draw, draw_surface,
+};
 use crate::report::figures::{self, Rounding};
 use crate::report::markdown::report_data::PictureRef;
 use crate::result::file_names::file_stem;
@@ -35,14 +38,16 @@ const VIEWS: [(&str, Option<V3>, &str); 3] = [
 /// The mesh from slightly above, from the front and from the side.
 pub fn mesh_pictures(
     model: &AnalysisModel,
-    mirror: &[usize],
+    context: &RunContext,
     folder: &ResultFolder,
 ) -> Result<Vec<PictureRef>, Diagnostics> {
+    let mirror = context.mirror.as_slice();
     let copies = if mirror.is_empty() { "" } else { ", completed by symmetry" };
+    let surface = completed(&model.mesh, mirror);
     let one = |(file, eye, seen): (&str, Option<V3>, &str)| {
         let mesh_lines = eye.is_none();
-        let options = PictureOptions { mirror, eye, mesh_lines, ..PictureOptions::default() };
-        folder.write(file, &png(&draw(&model.mesh, &options))?)?;
+        let options = PictureOptions { eye, mesh_lines, ..PictureOptions::default() };
+        folder.write(file, &png(&draw_surface(surface.clone(), &options))?)?;
         let caption = format!("Mesh of {} tetrahedra{copies}{seen}", model.mesh.tets.len());
         Ok(PictureRef { file: file.into(), caption })
     };
@@ -109,7 +114,7 @@ pub fn deformed_picture(
     pass: &AnalysisPass,
     name: &str,
     model: &AnalysisModel,
-    mirror: &[usize],
+    context: &RunContext,
     stem: &str,
     folder: &ResultFolder,
 ) -> Result<Option<PictureRef>, Diagnostics> {
@@ -119,18 +124,23 @@ pub fn deformed_picture(
     let vertices = &u.u[..mesh.nodes.len()];
     let size: Vec<f64> = vertices.iter().map(|x| vec3::norm(*x)).collect();
     let Some(factor) = enlargement(&mesh.nodes, &size, VISIBLE) else { return Ok(None) };
+    let words = context.words();
     let field = Field {
-        name: "displacement",
+        name: &words.say("displacement"),
         unit: "mm",
         values: &size,
         range: None,
         colours: Colours::Spectrum,
     };
     let options = PictureOptions {
-        mirror,
+        mirror: &context.mirror,
         mesh_lines: false,
         field: Some(field),
-        deformed: Some(Deformed { displacement: vertices, factor, to_scale: true }),
+        deformed: Some(Deformed {
+            displacement: vertices,
+            factor,
+            caption: &words.say(&format!("displacements × {factor}")),
+        }),
         ..PictureOptions::default()
     };
     let file = format!("deformed_{stem}.png");

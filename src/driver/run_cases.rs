@@ -87,10 +87,10 @@ pub fn run_cases(
         // they take seconds on large meshes, and none of them is part of a certificate
         if !limits.interrupt.asked() {
             if pictures.is_empty() {
-                pictures.extend(mesh_pictures(&upper.model, &context.mirror, &folder)?);
+                pictures.extend(mesh_pictures(&upper.model, &context, &folder)?);
             }
             let names = (asked[i].as_str(), stem);
-            pictures.extend(collapse_pictures(&upper, best, names, &context.mirror, &folder)?);
+            pictures.extend(collapse_pictures(&upper, best, names, &context, &folder)?);
             let stress = lower_stress(&best.outcome, &entry);
             add_case(&mut analyses.scene, &asked[i], &upper, best, stress);
         }
@@ -99,7 +99,7 @@ pub fn run_cases(
                 &upper.outcome,
                 &asked[i],
                 &upper.model,
-                &context.mirror,
+                &context,
                 stem,
                 &folder,
             )?);

@@ -141,10 +141,24 @@ fn process(command: &[OsString]) -> Command {
 }
 
 /// Puts the command in a process group of its own. Ctrl-C in the terminal then reaches only this
-/// process, which ends the mesher and all its children (including the gmsh behind a wrapper).
+/// process, which ends the mesher and all its children (including the gmsh behind a wrapper). On
+/// Linux the command is also killed when this process is, which nothing in this process can do.
+/// Must be called on the thread that waits for the child: the kernel watches that thread.
 #[cfg(unix)]
 fn alone(command: &mut Command) -> &mut Command {
-    std::os::unix::process::CommandExt::process_group(command, 0)
+    use std::os::unix::process::CommandExt;
+    #[cfg(target_os = "linux")]
+    {
+        let parent = nix::unistd::getpid();
+        let end_with_parent = move || {
+            nix::sys::prctl::set_pdeathsig(nix::sys::signal::Signal::SIGKILL)?;
+            // no signal comes for a parent that died before it was asked for
+            if nix::unistd::getppid() == parent { Ok(()) } else { Err(nix::Error::ESRCH.into()) }
+        };
+        // SAFETY: between `fork` and `exec` it makes two system calls and allocates nothing
+        unsafe { command.pre_exec(end_with_parent) };
+    }
+    command.process_group(0)
 }
 
 #[cfg(not(unix))]

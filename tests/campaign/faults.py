@@ -9,6 +9,7 @@ import shutil
 import signal
 import subprocess
 import threading
+import time
 from pathlib import Path
 
 from forgeries import JOINT, SPLICE, block
@@ -132,7 +133,7 @@ def run(case):
 
 
 def kill(case, r):
-    """SIGKILL at any moment. Its helpers are ended here: nobody does it for the program."""
+    """SIGKILL at any moment. Its helpers end by themselves."""
     name = r.choice(["run", "analyse", "analyse", "adapt", "check", "check", "batch"])
     seconds = length(case, name)
     had = earlier(case, r, name)
@@ -140,12 +141,18 @@ def kill(case, r):
     delay = r.uniform(0, seconds)
     wait(running, delay)
     running.send(signal.SIGKILL)
-    running.poll()
-    for pid in session(running.process.pid):
-        quietly_kill(pid)
-    running.wait(prompt())
     what = f"kill -9 of {name} after {delay:.3f} s"
     case.note(what)
+    limit = time.monotonic() + prompt()
+    while not running.poll() or session(running.process.pid):
+        if time.monotonic() > limit:
+            left = session(running.process.pid)
+            case.fault("orphan", f"{what}: {len(left)} processes")
+            for pid in left:
+                quietly_kill(pid)
+            break
+        time.sleep(0.02)
+    running.wait(prompt())
     whole(case, what, name)
     again(case, what, name)
     kept(case, what, name, had)

@@ -151,6 +151,9 @@ def one(case, name, spec, factor, *options):
     if result is None:
         if outcome.code == 2:
             case.refused(outcome, False)
+        elif outcome.refusal() == "mesher/time":
+            # a large joint, or a busy machine
+            case.count("mesh not ready within 60 s")
         else:
             words = outcome.message()
             case.fault("no result", f"{name}: exit {outcome.code}: {words}")

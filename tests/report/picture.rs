@@ -116,7 +116,11 @@ fn a_field_shows_its_bands_and_grey_where_it_is_not_defined() {
         max_height: 700,
         mirror: &[0, 1],
         field: Some(field),
-        deformed: Some(Deformed { displacement: &displacement, factor: 50.0, to_scale: true }),
+        deformed: Some(Deformed {
+            displacement: &displacement,
+            factor: 50.0,
+            caption: "displacements × 50",
+        }),
         ..Default::default()
     };
     let picture = draw(&mesh, &options);
@@ -189,7 +193,7 @@ fn edges_at_rest_are_drawn_behind() {
     let mesh = quarter();
     let moved: Vec<[f64; 3]> =
         mesh.nodes.iter().map(|x| [0.0, 0.0, -0.1 * (200.0 + x[2])]).collect();
-    let deformed = Deformed { displacement: &moved, factor: 1.0, to_scale: false };
+    let deformed = Deformed { displacement: &moved, factor: 1.0, caption: "at rest" };
     let options = PictureOptions { deformed: Some(deformed), ghost: true, ..Default::default() };
     let with = draw(&mesh, &options);
     keep(&with, "ghost.png");

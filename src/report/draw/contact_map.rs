@@ -11,7 +11,7 @@ use crate::report::figures::{Rounding, significant};
 use crate::result::forces::ContactForce;
 
 /// Largest sides of the map \[pixels\].
-const SIDES: [f64; 2] = [420.0, 520.0];
+const SIDES: [f64; 2] = [420.0, 320.0];
 const MARGIN: f64 = 24.0;
 /// Fraction of the largest pressure below which a face counts as open.
 const OPEN: f64 = 0.02;

@@ -7,6 +7,9 @@ use crate::report::draw::options::{Field, PictureOptions};
 use crate::report::draw::palette::{BODY_COLOURS, Bands, Groups, INK, nice};
 use crate::report::draw::view::{LEGEND, LETTER, MARGIN, View};
 
+/// Height of the capitals of body names \[pixels\]: there may be ten of them in a line.
+const NAME: f64 = 14.0;
+
 /// The colour legend of a field, its top at the picture's top.
 pub(super) fn legend(canvas: &mut Canvas, bands: &Bands, field: Field, left: f64, bottom: f64) {
     let mut y = MARGIN + LETTER;
@@ -31,7 +34,8 @@ pub(super) fn legend(canvas: &mut Canvas, bands: &Bands, field: Field, left: f64
     for i in (0..=bands.count).step_by(label_every) {
         let at = top + (bands.count - i) as f64 * height;
         canvas.line([left + 34.0, at], [left + 40.0, at], 0.6, INK);
-        let more = if i == bands.count && bands.exceeded() { " and more" } else { "" };
+        // the last colour is also that of larger values
+        let more = if i == bands.count && bands.exceeded() { "+" } else { "" };
         let label = bands.label(i) + more;
         canvas.text(&label, left + 46.0, at + LETTER / 2.0 - 1.0, LETTER * 0.9, INK);
     }
@@ -76,27 +80,22 @@ pub(super) fn strip(canvas: &mut Canvas, view: &View, groups: &Groups, options: 
     canvas.text(&text, 0.5 * (x + end) - 0.5 * text_width(&text, LETTER), base - 10.0, LETTER, INK);
     x = end + 40.0;
     if let Some(deformed) = options.deformed {
-        let text = if deformed.to_scale {
-            format!("displacements × {}", four_digits_plain(deformed.factor))
-        } else {
-            "velocities, not to scale".into()
-        };
-        canvas.text(&text, x, base, LETTER, INK);
-        x += text_width(&text, LETTER) + 36.0;
+        canvas.text(deformed.caption, x, base, LETTER, INK);
+        x += text_width(deformed.caption, LETTER) + 36.0;
     }
     if options.field.is_none() {
         for (i, name) in groups.names.iter().enumerate() {
-            let width = 24.0 + text_width(name, LETTER);
+            let width = 24.0 + text_width(name, NAME);
             if x + width > view.width as f64 - MARGIN {
                 break;
             }
             canvas.rectangle(
-                [x, base - LETTER],
+                [x, base - NAME],
                 [x + 16.0, base + 2.0],
                 BODY_COLOURS[i % BODY_COLOURS.len()],
             );
-            canvas.frame([x, base - LETTER], [x + 16.0, base + 2.0], INK);
-            canvas.text(name, x + 24.0, base, LETTER, INK);
+            canvas.frame([x, base - NAME], [x + 16.0, base + 2.0], INK);
+            canvas.text(name, x + 24.0, base, NAME, INK);
             x += width + 28.0;
         }
     }

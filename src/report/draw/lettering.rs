@@ -73,7 +73,8 @@ fn strokes(letter: char) -> &'static str {
         'x' => "0246 0642",
         'y' => "0622 461000",
         'z' => "06460242",
-        '.' => "2222",
+        // as tall as a stroke is wide: a point of no length is lost where a picture is reduced
+        '.' => "2232332322",
         ',' => "2210",
         ':' => "2323 2626",
         ';' => "2310 2626",
@@ -102,6 +103,13 @@ fn strokes(letter: char) -> &'static str {
         '#' => "1218 3238 0444 0646",
         '…' => "0202 2222 4242",
         '-' | '−' | '–' => "0545",
+        'ä' => "16364542 441403123243 1718 3738",
+        'ö' => "123243453616050312 1718 3738",
+        'ü' => "0603123243 4642 1718 3738",
+        'Ä' => "022742 1434 0708 4748",
+        'Ö' => "123243473716050312 0708 4748",
+        'Ü' => "070312324347 1718 3738",
+        'ß' => "020718384746353443321222",
         'µ' | 'μ' => "0600 0603123243 4642",
         '\'' => "2826",
         '"' => "1816 3836",
@@ -145,7 +153,7 @@ mod tests {
     #[test]
     fn every_printable_letter_is_drawn_inside_its_cell() {
         for letter in
-            (' '..='~').chain("−–µμ²³·×°σλ…".chars()).filter(|c| !"$&@\\^`{}~".contains(*c))
+            (' '..='~').chain("−–µμ²³·×°σλ…äöüÄÖÜß".chars()).filter(|c| !"$&@\\^`{}~".contains(*c))
         {
             assert!(letter == ' ' || strokes(letter) != strokes('\u{0}'), "{letter} is not drawn");
             for line in strokes(letter).split(' ').filter(|_| letter != ' ') {

@@ -35,9 +35,8 @@ pub struct Deformed<'a> {
     pub displacement: &'a [[f64; 3]],
     /// Magnification.
     pub factor: f64,
-    /// True if the factor has a meaning. It has none for a mechanism, whose velocities have no
-    /// scale.
-    pub to_scale: bool,
+    /// What the shape shows, for the line below it: `displacements × 20`.
+    pub caption: &'a str,
 }
 
 /// Options for a picture.

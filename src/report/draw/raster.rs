@@ -24,8 +24,13 @@ const FEATURE_LINE: (f64, f64) = (1.3, 0.95);
 
 /// Draws a mesh.
 pub fn draw(mesh: &TetMesh, options: &PictureOptions) -> Picture {
-    let surface = options.mirror.iter().fold(Surface::of(mesh), |s, &axis| s.mirrored(axis));
-    draw_surface(surface, options)
+    draw_surface(completed(mesh, options.mirror), options)
+}
+
+/// The surface of a mesh, completed by reflection in the planes of symmetry with the normals
+/// `mirror`.
+pub fn completed(mesh: &TetMesh, mirror: &[usize]) -> Surface {
+    mirror.iter().fold(Surface::of(mesh), |s, &axis| s.mirrored(axis))
 }
 
 /// Draws a surface. Nodal arrays of the options are numbered as in [`Surface::origin`].

@@ -6,13 +6,13 @@ use crate::report::draw::options::PictureOptions;
 use crate::report::draw::surface::{Surface, SurfaceTriangle};
 
 /// Space for the legend of a field \[pixels\].
-pub(super) const LEGEND: f64 = 230.0;
+pub(super) const LEGEND: f64 = 280.0;
 /// Space below the shape for scale bar, names and axes \[pixels\].
-const STRIP: f64 = 84.0;
+const STRIP: f64 = 88.0;
 /// White border \[pixels\].
 pub(super) const MARGIN: f64 = 24.0;
 /// Height of capitals \[pixels\].
-pub(super) const LETTER: f64 = 14.0;
+pub(super) const LETTER: f64 = 19.0;
 
 /// Space around the places that a field marks, on each side, over their extent.
 const AROUND: f64 = 0.4;
