@@ -64,7 +64,7 @@ pub fn plastic_distribution(subject: &str, c: &Clamped) -> Check {
 /// EN 1993-1-8:2005 6.4.2(1).
 pub fn panel_in_shear(subject: &str, clear_depth: f64, web: f64, fy: f64) -> Check {
     let title = ("EN 1993-1-8:2005 6.4.2(1)", "slenderness of the web panel");
-    let rule = (69.0 * epsilon(fy), format!("69 ε, ε = {}", n(epsilon(fy))));
+    let rule = (69.0 * epsilon(fy), format!("69 ε = 69 · {}", n(epsilon(fy))));
     let mut check = Check::at_most(
         (Topic::Ductility, subject),
         title,

@@ -195,7 +195,10 @@ fn reason(
             )
         }
         (Verdict::Ok, Verdict::Ok, _) => {
-            format!("{case}: every check holds, the component method included; governing: {what}")
+            format!(
+                "{case}: every binding check holds, the component method included; governing: \
+                 {what}"
+            )
         }
         (Verdict::Ok, ..) => {
             format!("{case}: the lower bound carries the load; no check of the code covers it")
@@ -241,11 +244,26 @@ impl Governing {
     pub fn words(&self) -> String {
         let used = match self.utilisation {
             Some([l, u]) if l == u => format!(", utilisation {}", number(u)),
-            Some([l, u]) => format!(", utilisation {} … {}", number(l), number(u)),
+            Some(between) => {
+                let [l, u] = outwards(between).map(number);
+                format!(", utilisation {l} … {u}")
+            }
             None => String::new(),
         };
         format!("{}{used} ({})", self.what, self.clause)
     }
+}
+
+/// A bracket with three digits, rounded outwards.
+fn outwards([low, up]: [f64; 2]) -> [f64; 2] {
+    /// A product that is a whole number but for rounding error is one.
+    const WHOLE: f64 = 1e-9;
+    let scale = |x: f64| 10f64.powf(2.0 - x.log10().floor());
+    let sized = |x: f64| x.is_finite() && x > 0.0;
+    [
+        if sized(low) { (low * scale(low) + WHOLE).floor() / scale(low) } else { low },
+        if sized(up) { (up * scale(up) - WHOLE).ceil() / scale(up) } else { up },
+    ]
 }
 
 impl Judgement {
@@ -428,5 +446,13 @@ mod tests {
             "{}",
             j.line(0, None)
         );
+    }
+
+    #[test]
+    fn brackets_are_rounded_outwards() {
+        assert_eq!(outwards([1.2691, 1.74827]), [1.26, 1.75]);
+        assert_eq!(outwards([0.69, 0.81]), [0.69, 0.81]);
+        assert_eq!(outwards([0.0, f64::INFINITY]), [0.0, f64::INFINITY]);
+        assert_eq!(outwards([12.34, 1234.5]), [12.3, 1240.0]);
     }
 }

@@ -19,5 +19,5 @@ pub mod worked;
 pub use check::{Check, Status, Step, Topic, Unit};
 pub use end_plate::{Comparison, HandChecks, JointStiffness, MomentAxial, PureMoment, hand_checks};
 pub use error::CheckError;
-pub use judgement::{Analysed, Judgement, judge};
+pub use judgement::{Analysed, Governing, Judgement, judge};
 pub use worked::Worked;

@@ -52,10 +52,10 @@ pub fn collapse_pictures(
         Some(v) => quiet_axis(&v.nodes.u[..upper.model.mesh.nodes.len()]),
         None => 1,
     };
-    let mut add = |kind: &str, drawn: Drawn| -> Result<(), Diagnostics> {
+    let mut add = |(kind, enlarged): (&str, &str), drawn: Drawn| -> Result<(), Diagnostics> {
         let Some(drawn) = drawn else { return Ok(()) };
         let (pictures, caption) = drawn?;
-        let captions = [caption, format!("Case {name}: the same, enlarged")];
+        let captions = [caption, format!("Case {name}: {enlarged}")];
         let files = [format!("{kind}_{stem}.png"), format!("zone_{kind}_{stem}.png")];
         for ((file, bytes), caption) in files.into_iter().zip(pictures).zip(captions) {
             folder.write(&file, &bytes)?;
@@ -64,10 +64,16 @@ pub fn collapse_pictures(
         Ok(())
     };
     if let Some(v) = velocity {
-        add("mechanism", mechanism(pass, v, (&upper.model, mirror, axis), (name, words)))?;
+        add(
+            ("mechanism", "the mechanism, enlarged"),
+            mechanism(pass, v, (&upper.model, mirror, axis), (name, words)),
+        )?;
     }
     if let Some(share) = lower.outcome.yield_multiplier_share() {
-        add("limiting", limiting(share, (&lower.model, mirror, axis), (name, words)))?;
+        add(
+            ("limiting", "the limiting zones, enlarged"),
+            limiting(share, (&lower.model, mirror, axis), (name, words)),
+        )?;
     }
     Ok(out)
 }

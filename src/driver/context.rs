@@ -53,6 +53,8 @@ pub struct RunContext {
     pub schedule: Table,
     /// Welds.
     pub welds: Table,
+    /// Supports of the model.
+    pub supports: Table,
     /// Positions of the bolts.
     pub bolts: Vec<BoltLine>,
     /// The requested polygon.

@@ -127,6 +127,7 @@ fn write(
         drawings,
         schedule: context.schedule,
         welds: context.welds,
+        supports: context.supports,
         pictures: analyses.pictures,
         mesh_quality: context.mesh_quality,
         model: analyses.traits,

@@ -71,7 +71,9 @@ pub fn contact_pictures(
         folder.write(&file, map.as_bytes())?;
         let (between, factor) =
             (pair.between.join(" on "), figures::significant(factor, 4, Rounding::Down));
-        let caption = format!("Case {name}: contact pressure of {between} at load factor {factor}");
+        let caption = format!(
+            "Case {name}: contact pressure of {between} at load factor {factor}, means of the faces"
+        );
         out.push(PictureRef { file, caption });
     }
     Ok(out)

@@ -1,6 +1,7 @@
 //! The context of a connection spec: title block, resolved values, catalogue rows, drawings.
 
-use crate::assembly::assembly::{PartMaterial, PartRole};
+use crate::assembly::Assembly;
+use crate::assembly::assembly::{FaceSupport, PartMaterial, PartRole, Surface};
 use crate::checks::check::number;
 use crate::checks::end_plate::{moment_axial, parts_list, stocked_length, welds_list};
 use crate::checks::{HandChecks, hand_checks};
@@ -12,6 +13,7 @@ use crate::report::draw::{drawing, dxf, moment_axial};
 use crate::report::markdown::report_data::CatalogueRow;
 use crate::report::markdown::report_data::PictureRef;
 use crate::report::markdown::report_data::ResolvedValue;
+use crate::report::markdown::report_data::Table;
 use crate::report::markdown::schedule;
 use crate::spec::connection::ConnectionSpec;
 use crate::spec::yaml;
@@ -54,12 +56,13 @@ pub fn spec_context(
         input_read: yaml::to_string(&as_read(input))?,
         resolved: resolved_values(input),
         catalogue_rows: catalogue_rows(input),
-        finer: "`--size-factor` below 1, or a smaller `analysis.mesh.size`",
+        finer: "a smaller `--size-factor` or `analysis.mesh.size`",
         coarser: "a coarser mesh (`--size-factor` above 1, or a larger `analysis.mesh.size`)",
         checks,
         demands: demands(&input.spec.value.loads),
         drawings: drawings(input),
         plate_dxf: end_plate.map(|e| dxf::end_plate(e, plates(input))),
+        supports: supports(&input.joint.assembly),
         schedule: end_plate
             .map_or_else(Default::default, |e| schedule::schedule(&parts_list(e, plates(input)))),
         welds: end_plate
@@ -119,6 +122,27 @@ fn drawings(input: &SpecFile) -> Vec<(PictureRef, String)> {
     }
     out
 }
+
+/// The supports of the model, with the section that each holds.
+fn supports(assembly: &Assembly) -> Table {
+    let row = |support: &FaceSupport| -> Option<Vec<String>> {
+        let face = assembly.faces.iter().find(|f| f.name == support.face)?;
+        let held: Vec<&str> =
+            AXES.into_iter().zip(support.fix).filter(|(_, fix)| *fix).map(|(a, _)| a).collect();
+        let place = match face.surface {
+            Surface::Plane { axis, at, .. } => format!("{} = {} mm", AXES[axis], number(at)),
+            Surface::Mantle { radius, .. } => format!("r = {} mm", number(radius)),
+        };
+        Some(vec![face.name.clone(), face.part.clone(), place, held.join(" ")])
+    };
+    Table {
+        columns: ["support", "part", "section", "held along"].map(String::from).into(),
+        rows: assembly.supports.iter().filter_map(row).collect(),
+    }
+}
+
+/// Names of the axes.
+const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// The values of the joint with their origin.
 fn resolved_values(input: &SpecFile) -> Vec<ResolvedValue> {

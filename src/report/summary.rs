@@ -1,5 +1,6 @@
 //! The table that a checker reads first: every check with a demand, the worst first.
 
+use crate::checks::Governing;
 use crate::checks::check::number;
 use crate::checks::verdict::Verdict;
 use crate::checks::{Check, Status, Topic, Unit};
@@ -10,6 +11,9 @@ use serde::Serialize;
 
 /// Clause of the row of a bracket.
 pub const LIMIT_ANALYSIS: &str = "limit analysis";
+
+/// Status of strength by the component method that is exceeded where a limit analysis decides.
+pub const EXCEEDED: &str = "exceeded, information";
 
 /// Colour of a word of judgement.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
@@ -63,11 +67,20 @@ pub struct SummaryRow {
     pub governs_by: Option<f64>,
     /// Utilisation by which it is sorted.
     #[serde(skip)]
-    size: f64,
+    pub size: f64,
 }
 
-/// The rows: what fails, what is open, then by utilisation; information last. Empty without a
-/// demand.
+impl SummaryRow {
+    /// True for the row of what governs the verdict.
+    fn is(&self, g: &Governing) -> bool {
+        let here = g.case.as_deref().is_none_or(|case| case == self.case);
+        let same = self.check == g.what || self.clause == LIMIT_ANALYSIS;
+        here && same && self.clause == g.clause
+    }
+}
+
+/// The rows: what fails, what is open, strength by the component method that is exceeded beside an
+/// analysis, then by utilisation; information last. Empty without a demand.
 pub fn summary_rows(result: &ResultFile) -> Vec<SummaryRow> {
     let mut rows: Vec<SummaryRow> = result.cases.iter().filter_map(bracket_row).collect();
     let loaded: Vec<&Check> =
@@ -81,13 +94,20 @@ pub fn summary_rows(result: &ResultFile) -> Vec<SummaryRow> {
         |c: &&Check| matches!(c.status, Status::Failed | Status::Undecided) && c.case.is_none();
     rows.extend(result.checks.iter().filter(open).filter(|c| c.unit != Unit::Length).map(row));
     rows.extend(loaded.into_iter().map(row));
+    let governing = result.judgement.as_ref().and_then(|j| j.governing.as_ref());
     let most = rows.iter().filter_map(|r| r.governs_by).fold(f64::NEG_INFINITY, f64::max);
-    rows.iter_mut().for_each(|r| r.governs = r.governs_by.is_some_and(|u| u >= most));
+    rows.iter_mut().for_each(|r| {
+        r.governs = match governing {
+            Some(g) => r.is(g),
+            None => r.governs_by.is_some_and(|u| u >= most),
+        }
+    });
     let rank = |r: &SummaryRow| match r.tone {
         Tone::Bad => 0,
         Tone::Open => 1,
-        Tone::Good => 2,
-        Tone::Quiet => 3,
+        Tone::Quiet if r.status == EXCEEDED => 2,
+        Tone::Good => 3,
+        Tone::Quiet => 4,
     };
     // a stable sort: equal rows keep the order of the checks
     rows.sort_by(|a, b| {
@@ -144,7 +164,7 @@ fn row(c: &Check) -> SummaryRow {
         (Status::Undecided, _) => ("UNDECIDED", Tone::Open),
         (Status::Ok, _) => ("OK", Tone::Good),
         // a limit analysis decides the case
-        (Status::Warning, _) => ("exceeded, information", Tone::Quiet),
+        (Status::Warning, _) => (EXCEEDED, Tone::Quiet),
         (Status::Information, Some(_)) => ("OK, information", Tone::Quiet),
         (Status::Information, None) => ("information", Tone::Quiet),
     };

@@ -16,6 +16,8 @@ REDRAW = {
 }
 VERDICT = {"ok": 0, "not_ok": 1, "undecided": 3}
 DRAWS = 60
+# mesh, model, fields and pictures of a coarse joint
+REST_MIB = 150
 
 
 def fits(case, outcome, result, what):
@@ -161,8 +163,27 @@ def one(case, name, spec, factor, *options):
     if outcome.seconds > 100:
         case.fault("time limit", f"{name}: {outcome.seconds:.0f} s with a limit of 60 s")
     fits(case, outcome, result, name)
+    within_forecast(case, name, result)
     case.verify(name, limit=200)
     return check_bounds(case, result, f"{name}: "), outcome
+
+
+def within_forecast(case, name, result):
+    """Memory stays within 1.5 times the forecast of the programs, which may run at once, and what
+    the rest of a run needs. Time depends on what else runs on the machine and is only counted."""
+    for row in (row for entry in result["cases"] for row in entry.get("history", [])):
+        keys = ("kinematic", "static", "static_frictionless")
+        runs = [row[key] for key in keys if row.get(key, {}).get("status") == "optimal"]
+        if not runs or "peak_memory_mib" not in row:
+            continue
+        case.count("forecasts")
+        expected = sum(run["forecast_memory_mib"] for run in runs)
+        if row["peak_memory_mib"] > 1.5 * expected + REST_MIB:
+            words = f"{row['peak_memory_mib']} MiB, forecast {expected} MiB"
+            case.fault("memory over forecast", f"{name}: {words}")
+        for run in runs:
+            if run["seconds"] > 1.5 * run["forecast_seconds"] + 1:
+                case.count("slower than the forecast")
 
 
 def compare(case, what, bounds, other, factor):

@@ -234,6 +234,10 @@ fn data() -> ReportData {
             columns: ["weld", "seams", "all [mm]"].map(String::from).to_vec(),
             rows: vec![["beam web", "2", "542"].map(String::from).to_vec()],
         },
+        supports: Table {
+            columns: ["support", "part", "section", "held along"].map(String::from).to_vec(),
+            rows: vec![["FOOT", "COLUMN", "z = -300 mm", "x y z"].map(String::from).to_vec()],
+        },
         pictures: vec![PictureRef { file: "mesh.png".into(), caption: "The meshed joint".into() }],
         mesh_quality: Table {
             columns: ["body", "tets", "least dihedral [°]"].map(String::from).to_vec(),

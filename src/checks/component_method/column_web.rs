@@ -89,8 +89,9 @@ impl ShearPanel {
         let plastic = 0.9 * self.fy * self.area / (root3 * self.gamma_m0) + self.stiffeners;
         let (slenderness, limit) = self.slenderness();
         let title = "column web panel in shear";
+        let stiffeners = if self.stiffeners > 0.0 { " + V_wp,add,Rd" } else { "" };
         let mut formula = format!(
-            "V_wp,Rd = 0.9 f_y A_vc/(√3 γ_M0) = 0.9 · {} · {}/(√3 · {})",
+            "V_wp,Rd = 0.9 f_y A_vc/(√3 γ_M0){stiffeners} = 0.9 · {} · {}/(√3 · {})",
             n(self.fy),
             n(self.area),
             n(self.gamma_m0)

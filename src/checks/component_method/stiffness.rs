@@ -121,17 +121,16 @@ pub fn initial(joint: &EndPlateJoint, rows: &Rows<'_>) -> Result<Stiffness, Chec
         .chain([equivalent])
         .map(|k| format!("1/{}", n(k)))
         .collect();
-    let mut formula = format!(
-        "S_j,ini = E z²/Σ(1/k) = {} · {}²/({})",
+    // Table 6.11 has k1 = ∞ for a stiffened panel; with transverse stiffeners alone the panel still
+    // deforms in shear
+    let kept = panel.is_some() && c.is_some_and(|c| c.stiffener > 0.0);
+    let formula = format!(
+        "{}S_j,ini = E z²/Σ(1/k) = {} · {}²/({})",
+        if kept { "k1 kept finite beside transverse stiffeners, " } else { "" },
         n(joint.young),
         n(lever),
         terms.join(" + ")
     );
-    if panel.is_some() && c.is_some_and(|c| c.stiffener > 0.0) {
-        // Table 6.11 has k1 = ∞ for a stiffened panel; with transverse stiffeners alone the panel
-        // still deforms in shear
-        formula += ", k1 kept finite beside transverse stiffeners";
-    }
     let title = "initial rotational stiffness";
     let mut worked =
         Worked::new("EN 1993-1-8:2005 6.3.1(4)", title, value, Unit::Rotational, formula);

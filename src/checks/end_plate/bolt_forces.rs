@@ -85,6 +85,13 @@ impl<'a> BoltForces<'a> {
         format!("{}, row at z = {} mm", self.end, n(row.z))
     }
 
+    /// The place of a check in which tension beyond F_t,Rd does not count.
+    fn capped_place(&self, row: Row) -> String {
+        let capped =
+            if row.tension > self.tension_resistance { ", tension capped at F_t,Rd" } else { "" };
+        format!("{}{capped}", self.place(row))
+    }
+
     /// The row with the largest tension.
     fn most_pulled(&self) -> Option<Row> {
         largest(self.rows.iter().copied(), |r| r.tension)
@@ -122,6 +129,9 @@ impl<'a> BoltForces<'a> {
         let value = self.shear_shares() * self.shear_resistance;
         let mut worked =
             Worked::new("EN 1993-1-8:2005 6.2.2(2), Table 3.4", title, value, Unit::Force, formula);
+        if let Some(row) = self.most_pulled() {
+            self.note_cap(&mut worked, row.tension);
+        }
         for row in &self.rows {
             worked = worked.with(
                 &format!("F_t,Ed of the row at z = {} mm", n(row.z)),
@@ -155,7 +165,7 @@ impl<'a> BoltForces<'a> {
             (row, worked)
         });
         let (row, worked) = largest(each, |(_, worked)| worked.value)?;
-        Some(worked.utilised(Topic::Bolts, self.place(row), Status::Failed))
+        Some(worked.utilised(Topic::Bolts, self.capped_place(row), Status::Failed))
     }
 
     /// Bearing of a plate at the row that uses it most.
@@ -190,7 +200,7 @@ impl<'a> BoltForces<'a> {
             e.factors.gamma_m2,
         );
         self.note_cap(&mut worked, row.tension);
-        let place = format!("{}, {}", plate.name, self.place(row));
+        let place = format!("{}, {}", plate.name, self.capped_place(row));
         Some(worked.against(Topic::Bolts, place, self.capped(row.tension), Status::Failed))
     }
 }

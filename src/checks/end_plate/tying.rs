@@ -52,10 +52,10 @@ pub(super) fn tying(e: &EndPlate) -> Option<Check> {
     }
     let terms: Vec<String> = each.iter().map(|f| Unit::Force.show(*f)).collect();
     let formula = format!(
-        "N_Rd,u = min(Σ F_tr,Rd,u, A f_u/γ_Mu) = min({}, {}) with f_u and γ_Mu = {}",
+        "N_Rd,u = min(Σ F_tr,Rd,u, A f_u/{}) = min({}, {})",
+        n(GAMMA_MU),
         terms.join(" + "),
-        Unit::Force.show(beam),
-        n(GAMMA_MU)
+        Unit::Force.show(beam)
     );
     let title = "tying resistance, without welds";
     let worked = Worked::new("EN 1991-1-7:2006 A.5, SCI P358", title, value, Unit::Force, formula);

@@ -122,12 +122,17 @@ pub(crate) fn mechanism(page: &mut String, case: &CaseResult) {
              mechanism.",
         );
         if case.lower.is_some() {
+            let own = match case.history.len() {
+                0 | 1 => "Each bound has its own picture",
+                _ => "Each bound has its own mesh and its own picture",
+            };
             paragraph(
                 page,
-                "The picture of the limiting zones marks in violet what limits the lower bound: \
-                 the zones in which more strength would raise it. Each bound has its own mesh and \
-                 its own picture. The two pictures need not mark the same zones while the bounds \
-                 are far apart.",
+                &format!(
+                    "The picture of the limiting zones marks in violet what limits the lower \
+                     bound: the zones in which more strength would raise it. {own}. The two \
+                     pictures need not mark the same zones while the bounds are far apart."
+                ),
             );
         }
         paragraph(page, "Where the mechanism of the upper bound dissipates energy:");

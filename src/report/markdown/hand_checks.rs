@@ -4,6 +4,7 @@ use crate::checks::{Check, Status, Step, Topic};
 use crate::report::figures::{Rounding, significant};
 use crate::report::markdown::markup::{bold, heading, inline, paragraph, strings, table};
 use crate::report::markdown::report_data::Table;
+use crate::report::summary::EXCEEDED;
 
 /// The lines below the verdict: the checks that failed, and those that the code leaves undecided.
 pub(crate) fn failed(page: &mut String, checks: &[Check]) {
@@ -45,7 +46,7 @@ pub(crate) fn checks(page: &mut String, checks: &[Check]) {
             if decided {
                 let used =
                     c.utilisation.map_or_else(|| "–".into(), |u| significant(u, 3, Rounding::Up));
-                let word = status(c.status);
+                let word = status(c);
                 let stands_out = matches!(c.status, Status::Failed | Status::Undecided);
                 row.extend([used, if stands_out { bold(word) } else { word.into() }]);
             }
@@ -142,12 +143,13 @@ pub(crate) fn place(c: &Check) -> String {
     format!("{case}{}", c.subject)
 }
 
-/// The status of a check in a word.
-pub(crate) fn status(status: Status) -> &'static str {
-    match status {
+/// The status of a check in words, the same as in the summary.
+pub(crate) fn status(check: &Check) -> &'static str {
+    match check.status {
         Status::Ok => "OK",
         Status::Failed => "FAILED",
         Status::Undecided => "UNDECIDED",
+        Status::Warning if check.topic == Topic::ComponentMethod => EXCEEDED,
         Status::Warning => "warning",
         Status::Information => "information",
     }

@@ -24,4 +24,8 @@ pub(crate) fn joint(page: &mut String, data: &ReportData) {
         paragraph(page, "Welds, with the metal of fillets of equal legs:");
         table(page, &data.welds);
     }
+    if !data.supports.rows.is_empty() {
+        paragraph(page, "Supports of the model:");
+        table(page, &data.supports);
+    }
 }

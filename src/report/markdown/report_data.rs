@@ -42,6 +42,9 @@ pub struct ReportData {
     /// Welds; empty if they are not known.
     #[serde(default)]
     pub welds: Table,
+    /// Supports of the model; empty if there are none.
+    #[serde(default)]
+    pub supports: Table,
     /// Pictures of the result folder.
     pub pictures: Vec<PictureRef>,
     /// Quality of the last mesh, usually one row for each body.

@@ -1,11 +1,11 @@
 //! The box at the top of a report: the verdicts by code and by analysis, and the joint verdict with
 //! its reason.
 
-use crate::checks::Judgement;
 use crate::checks::verdict::Verdict;
+use crate::checks::{Judgement, Status, Topic};
 use crate::report::markdown::markup::{bold, inline, paragraph, strings, table};
 use crate::report::markdown::report_data::Table;
-use crate::report::summary::{LIMIT_ANALYSIS, SummaryRow, summary_rows};
+use crate::report::summary::{EXCEEDED, LIMIT_ANALYSIS, SummaryRow, summary_rows};
 use crate::result::result_file::ResultFile;
 
 /// The verdict and its basis.
@@ -50,6 +50,14 @@ pub(crate) fn parts(j: &Judgement, result: &ResultFile) -> [(&'static str, Verdi
     if let Some(r) = worst.filter(|r| by(r).is_finite()) {
         code += &format!("; largest utilisation {}, {}", r.utilisation, r.check);
     }
+    let beside = rows.iter().filter(|r| r.status == EXCEEDED);
+    if let Some(r) = beside.max_by(|a, b| a.size.total_cmp(&b.size)) {
+        code += &format!(
+            "; beside the limit analysis, for information: the component method is exceeded, \
+             utilisation {}",
+            r.utilisation
+        );
+    }
     let mut analysis = match j.by_analysis {
         Verdict::None => "no analysis of the resistance was run",
         _ => "strict bounds of limit analysis, the lower one without friction",
@@ -69,7 +77,15 @@ pub(crate) fn next_step(result: &ResultFile) -> Option<&'static str> {
         let mut demands = result.cases.iter().filter_map(|c| c.demand.as_ref());
         demands.any(|d| d.by_analysis == Verdict::Undecided && d.brittle.is_some())
     };
+    let fails_only_by_method = || {
+        let mut failed = result.checks.iter().filter(|c| c.status == Status::Failed);
+        failed.all(|c| c.topic == Topic::ComponentMethod)
+    };
     Some(match (j.verdict, j.by_code, j.by_analysis) {
+        (Verdict::NotOk, _, Verdict::Undecided) if fails_only_by_method() => {
+            "narrow the bounds by a finer mesh, more meshes or time, because the component method \
+             is information where they decide and no part can buckle; or strengthen what governs"
+        }
         (Verdict::NotOk, ..) => "strengthen what governs, or reduce its load",
         (Verdict::Undecided, Verdict::Undecided, _) => {
             "see the undecided check: it says what its clause does not cover"
@@ -80,7 +96,7 @@ pub(crate) fn next_step(result: &ResultFile) -> Option<&'static str> {
         }
         (Verdict::Undecided, _, Verdict::Undecided) => {
             "narrow the bounds: more meshes or time (`max_passes`, `time_limit`), or a finer mesh \
-             (`--size-factor` below 1)"
+             (a smaller `--size-factor`)"
         }
         (Verdict::Undecided, ..) => "run a limit analysis (`kind: limit`)",
         _ => return None,

@@ -5,7 +5,7 @@ use crate::report::escaped::escaped;
 use crate::report::markdown::report_data::PictureRef;
 use crate::report::sheet::blocks::{Block, Grid, Text};
 use crate::report::sheet::formula::Piece;
-use crate::report::sheet::{Bar, Sheet, TopicSheet, VerdictBox};
+use crate::report::sheet::{Bar, Section, Sheet, TopicSheet, VerdictBox};
 use crate::report::summary::Tone;
 use crate::report::words::Words;
 use std::fmt::Write as _;
@@ -62,27 +62,36 @@ impl<'a> Content<'a> {
         if !sheet.pictures.is_empty() {
             self.titled("Pictures", |c| sheet.pictures.iter().for_each(|p| c.figure(p)));
         }
+        self.further(&sheet.analysis);
+        if !sheet.topics.is_empty() {
+            self.titled("Checks with their numbers", |c| {
+                sheet.topics.iter().for_each(|t| c.topic(t));
+            });
+        }
         if !sheet.schedule.rows.is_empty() {
             self.titled("Bolts, plates and stiffeners", |c| c.grid(&sheet.schedule));
         }
         if !sheet.welds.rows.is_empty() {
             self.titled("Welds", |c| c.grid(&sheet.welds));
         }
+        if !sheet.supports.rows.is_empty() {
+            self.titled("Supports", |c| c.grid(&sheet.supports));
+        }
         if !sheet.design_values.is_empty() {
             self.titled("Partial factors and strengths", |c| c.design_values(sheet));
         }
         self.list("Warnings", &sheet.warnings);
         self.list("Assumptions and limits", &sheet.assumptions);
-        if !sheet.topics.is_empty() {
-            self.titled("Checks with their numbers", |c| {
-                sheet.topics.iter().for_each(|t| c.topic(t));
-            });
-        }
-        for section in &sheet.sections {
-            self.section(&section.title, |c| section.blocks.iter().for_each(|b| c.block(b)));
-        }
+        self.further(&sheet.sections);
         let (hash, input) = (escaped(&sheet.head.hash), self.words.say("input"));
         self.line("footer", "", &format!("{} · {input} {hash}", escaped(&sheet.head.software)));
+    }
+
+    /// Sections of the full report.
+    fn further(&mut self, sections: &[Section]) {
+        for section in sections {
+            self.section(&section.title, |c| section.blocks.iter().for_each(|b| c.block(b)));
+        }
     }
 
     fn title(&mut self, sheet: &Sheet) {

@@ -54,10 +54,12 @@ pub fn sheet(data: &ReportData, words: &Words, extent: Extent, paper: Paper) -> 
         design_values: design_values(&data.resolved, words),
         schedule: grid(&data.schedule, words),
         welds: grid(&data.welds, words),
+        supports: grid(&data.supports, words),
         warnings: sentences(all_warnings(data)),
         topics: if full { topics(&data.result.checks, words) } else { Vec::new() },
         assumptions: sentences(assumptions(data)),
-        sections: if full { sections(data, words) } else { Vec::new() },
+        analysis: if full { analysis_sections(data, words) } else { Vec::new() },
+        sections: if full { input_sections(data, words) } else { Vec::new() },
     }
 }
 
@@ -192,7 +194,7 @@ fn worked(c: &Check, words: &Words) -> WorkedRow {
             .collect(),
         clause: words.say(&c.clause),
         utilisation: used.unwrap_or_else(|| "–".into()),
-        status: words.say(status(c.status)),
+        status: words.say(status(c)),
         tone,
     }
 }
@@ -205,40 +207,47 @@ fn ratio(c: &Check) -> Option<String> {
     (!said).then(|| format!("E_d / R_d = {demand} / {resistance} = {used}"))
 }
 
-fn sections(data: &ReportData, words: &Words) -> Vec<Section> {
-    let mut out = Vec::new();
-    let mut add = |title: &str, blocks: Vec<Block>| {
-        if !blocks.is_empty() {
-            out.push(Section { title: words.say(title), blocks });
-        }
-    };
-    add("Capacity for two actions", section(words, |page| polygon::section(page, &data.result)));
+/// The sections with a text, in the language of `words`.
+fn titled<const N: usize>(all: [(&str, Vec<Block>); N], words: &Words) -> Vec<Section> {
+    let some = all.into_iter().filter(|(_, blocks)| !blocks.is_empty());
+    some.map(|(title, blocks)| Section { title: words.say(title), blocks }).collect()
+}
+
+fn analysis_sections(data: &ReportData, words: &Words) -> Vec<Section> {
     let cases = || data.result.cases.iter();
-    add("Mechanism and yielding", {
-        section(words, |page| {
-            cases().for_each(|c| {
-                mechanism(page, c);
-                yielding(page, c);
-            });
-        })
+    let polygon = section(words, |page| polygon::section(page, &data.result));
+    let collapse = section(words, |page| {
+        cases().for_each(|c| {
+            mechanism(page, c);
+            yielding(page, c);
+        });
     });
+    let (mut meshes, mut certificate) = (Vec::new(), Vec::new());
     if !data.result.cases.is_empty() {
-        let mut blocks = section(words, |page| {
+        meshes = section(words, |page| {
             let run = cases().filter(|c| !c.history.is_empty());
             run.for_each(|c| history::history(page, c, data.result.symmetry));
         });
         if !data.mesh_quality.rows.is_empty() {
-            blocks.insert(0, Block::Table { table: grid(&data.mesh_quality, words) });
+            meshes.insert(0, Block::Table { table: grid(&data.mesh_quality, words) });
         }
-        add("Mesh and history", blocks);
-        add("Certificate", section(words, |page| certificate::certificates(page, data)));
+        certificate = section(words, |page| certificate::certificates(page, data));
     }
-    add(
-        "Resolved values, catalogue rows and notes",
-        section(words, |page| input::values(page, data)),
-    );
-    add("Input file as given", vec![Block::Code { text: data.input_text.clone() }]);
-    out
+    let all = [
+        ("Capacity for two actions", polygon),
+        ("Mechanism and yielding", collapse),
+        ("Mesh and history", meshes),
+        ("Certificate", certificate),
+    ];
+    titled(all, words)
+}
+
+fn input_sections(data: &ReportData, words: &Words) -> Vec<Section> {
+    let values = section(words, |page| input::values(page, data));
+    let input = vec![Block::Code { text: data.input_text.clone() }];
+    let all =
+        [("Resolved values, catalogue rows and notes", values), ("Input file as given", input)];
+    titled(all, words)
 }
 
 #[cfg(test)]

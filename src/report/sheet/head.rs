@@ -23,7 +23,7 @@ pub struct Head {
     pub paper: Paper,
     /// Title of the joint or of the sweep.
     pub title: String,
-    /// Project number and revision, on every page; empty without them.
+    /// Project number, revision, date, author and checker, on every page, as far as given.
     pub running: String,
     /// Author of the report, for the properties of the document.
     pub author: String,
@@ -56,7 +56,10 @@ impl Head {
             project.iter().find(|(n, v)| n == name && v != Self::OPEN).map(|(_, v)| v.as_str())
         };
         let revision = value("revision").map(|r| format!("{} {r}", words.say("revision")));
-        let running = [value("number").map(String::from), revision];
+        let by = [value("author"), value("checker")].into_iter().flatten().collect::<Vec<_>>();
+        let by = Some(by.join(" / ")).filter(|names| !names.is_empty());
+        let running =
+            [value("number").map(String::from), revision, value("date").map(String::from), by];
         Self {
             paper,
             title,

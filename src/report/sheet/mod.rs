@@ -155,12 +155,16 @@ pub struct Sheet {
     pub schedule: Grid,
     /// Welds.
     pub welds: Grid,
+    /// Supports of the model.
+    pub supports: Grid,
     /// Warnings.
     pub warnings: Vec<Text>,
     /// Checks with their numbers; empty in the short report.
     pub topics: Vec<TopicSheet>,
     /// Assumptions and limits.
     pub assumptions: Vec<Text>,
-    /// Further sections of the full report.
+    /// Sections on the analyses in the full report: mechanism, meshes, certificate.
+    pub analysis: Vec<Section>,
+    /// Values and input in the full report.
     pub sections: Vec<Section>,
 }
