@@ -308,12 +308,12 @@ pub fn merge(plan: &Plan, folder: &SweepFolder, log: &Log) -> Result<Merge, Diag
     let sweep = &plan.header.sweep;
     let of_file = || sweep.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let title = of_base.map_or_else(of_file, str::to_owned);
-    let page = summary::page(&title, &counts, &broken, choice.as_ref(), &tables, &rows);
+    let project = &header.expansion.base["project"];
+    let language = Language::deserialize(&project["language"]).unwrap_or_default();
+    let words = Words::new(language, []);
+    let page = summary::page((&title, &words), &counts, &broken, choice.as_ref(), &tables, &rows);
     write_whole(&path.join("summary.html"), page.as_bytes())?;
     if cfg!(feature = "pdf") {
-        let project = &header.expansion.base["project"];
-        let language = Language::deserialize(&project["language"]).unwrap_or_default();
-        let words = Words::new(language, []);
         let sheet = summary_sheet::sheet(
             &title,
             project,

@@ -6,6 +6,7 @@ use super::counts::Counts;
 use super::row::Outcome;
 use crate::math::figures::Rounding;
 use crate::report::escaped::{escaped, inside_script};
+use crate::report::words::Words;
 use serde_json::{Map, Value};
 
 /// Style of the page.
@@ -13,6 +14,9 @@ const STYLE: &str = include_str!("summary/summary.css");
 
 /// Sorting, filtering and the chart.
 const SCRIPT: &str = include_str!("summary/summary.js");
+
+/// Filter, table of the cases and charts.
+const BODY: &str = include_str!("summary/body.html");
 
 /// Rows that the page holds: a browser sorts and filters so many without delay.
 const MOST_ROWS: usize = 20_000;
@@ -33,7 +37,7 @@ pub fn worst_first(rows: &[Map<String, Value>], most: usize) -> Vec<&Map<String,
 
 /// The page of a sweep.
 pub fn page(
-    title: &str,
+    (title, words): (&str, &Words),
     counts: &Counts,
     broken: &[String],
     choice: Option<&Shown>,
@@ -42,67 +46,65 @@ pub fn page(
 ) -> String {
     let mut out = String::new();
     let title = escaped(title);
-    out.push_str("<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">");
+    let say = |text: &str| escaped(&words.say(text));
+    let language = words.code();
+    out.push_str(&format!("<!doctype html>\n<html lang=\"{language}\"><head>"));
+    out.push_str("<meta charset=\"utf-8\">");
     out.push_str("<meta name=\"viewport\" content=\"width=device-width\">");
     out.push_str(&format!("<title>{title}</title>\n<style>\n{STYLE}</style></head>\n<body>\n"));
-    out.push_str(&format!("<h1>{title}</h1>\n<p>{} cases: ", counts.all()));
+    out.push_str(&format!("<h1>{title}</h1>\n<p>{}: ", say(&Counts::cases(counts.all()))));
     let outcomes = Outcome::ALL.iter().rev().filter(|o| counts.with(**o) > 0);
-    let words: Vec<String> = outcomes
+    let found: Vec<String> = outcomes
         .map(|o| {
             let word = o.word();
-            format!("<b class=\"{word}\">{} {}</b>", counts.with(*o), word.replace('_', " "))
+            format!("<b class=\"{word}\">{} {}</b>", counts.with(*o), say(&o.plain()))
         })
         .collect();
-    out.push_str(&words.join(", "));
+    out.push_str(&found.join(", "));
     if counts.open > 0 {
-        out.push_str(&format!(", <b>{} not finished</b>", counts.open));
+        out.push_str(&format!(", <b>{} {}</b>", counts.open, say("not finished")));
     }
     out.push_str("</p>\n");
     for condition in broken {
         let text = escaped(condition);
         out.push_str(&format!(
-            "<p class=\"failed\">Expected, and not so: <code>{text}</code></p>\n"
+            "<p class=\"failed\">{}: <code>{text}</code></p>\n",
+            say("Expected, and not so")
         ));
     }
     if let Some(shown) = choice {
-        out.push_str(&chosen(shown));
+        out.push_str(&chosen(shown, words));
     }
-    tables.iter().for_each(|t| out.push_str(&capacity(t)));
-    out.push_str("<h2>Cases</h2>\n<p><label>Filter: <input id=\"filter\" type=\"search\" ");
-    out.push_str(
-        "placeholder=\"words, e.g. IPE330 undecided\"></label> <span id=\"shown\"></span></p>\n",
-    );
-    out.push_str("<div class=\"wide\"><table id=\"cases\"></table></div>\n");
-    out.push_str("<h2>Mass against load factor</h2>\n<p>Mass of plates and bolts; a bar from the ");
-    out.push_str("lower to the upper bound of the load factor, a tick for the component method. ");
-    out.push_str("The line is the given load.</p>\n<div id=\"chart\"></div>\n");
-    out.push_str("<h2>Gap against time</h2>\n<p>How far apart the bounds of a case are, over the ");
-    out.push_str("time that it took.</p>\n<div id=\"effort\"></div>\n");
+    tables.iter().for_each(|t| out.push_str(&capacity(t, words)));
+    out.push_str(&words.fill(BODY));
     let shown = worst_first(rows, MOST_ROWS);
     if shown.len() < rows.len() {
         let (some, all) = (shown.len(), rows.len());
-        out.push_str(&format!(
-            "<p>This page holds {some} of {all} rows, the worst first; results.csv has all.</p>\n"
-        ));
+        let few = format!("{some} of {all} rows, the worst first; results.csv has all.");
+        out.push_str(&format!("<p>{}</p>\n", say(&few)));
     }
     let data = Value::Array(shown.into_iter().cloned().map(Value::Object).collect());
     out.push_str("<script type=\"application/json\" id=\"data\">");
     out.push_str(&inside_script(&data.to_string()));
-    out.push_str(&format!("</script>\n<script>\n{SCRIPT}</script>\n</body></html>\n"));
+    let script = words.fill(SCRIPT);
+    out.push_str(&format!("</script>\n<script>\n{script}</script>\n</body></html>\n"));
     out
 }
 
 /// The table of the chosen joints.
-fn chosen(table: &Shown) -> String {
+fn chosen(table: &Shown, words: &Words) -> String {
     let cells = |tag: &str, texts: &mut dyn Iterator<Item = &str>| {
         texts.map(|t| format!("<{tag}>{}</{tag}>", escaped(t))).collect::<String>()
     };
-    let head = cells("th", &mut table.heads.iter().copied());
+    let heads: Vec<String> = table.heads.iter().map(|h| words.say(h)).collect();
+    let head = cells("th", &mut heads.iter().map(String::as_str));
     let mut out = format!(
-        "<h2>Chosen joints</h2>\n<p>Least <code>{}</code>. {}</p>\n\
+        "<h2>{}</h2>\n<p>{} <code>{}</code>. {}</p>\n\
          <table><thead><tr>{head}</tr></thead>\n<tbody>\n",
+        escaped(&words.say("Chosen joints")),
+        escaped(&words.say("Least")),
         escaped(&table.least),
-        escaped(&table.sentence)
+        escaped(&words.say(&table.sentence))
     );
     for row in &table.cells {
         let row = cells("td", &mut row.iter().map(String::as_str));
@@ -113,13 +115,15 @@ fn chosen(table: &Shown) -> String {
 }
 
 /// A capacity table.
-pub fn capacity(table: &Filled) -> String {
+pub fn capacity(table: &Filled, words: &Words) -> String {
     let mut out = format!(
-        "<h2>{}</h2>\n<p>{}: <b>at least</b> – at most, ",
+        "<h2>{}</h2>\n<p>{}: {}</p>\n",
         escaped(&table.title),
-        escaped(&table.what)
+        escaped(&words.say(&table.what)),
+        words.fill(
+            "<b>⟦at least⟧</b> – ⟦at most⟧, <span class=\"component\">⟦component method⟧</span>"
+        )
     );
-    out.push_str("<span class=\"component\">component method</span></p>\n");
     let corner = format!("{} \\ {}", escaped(&table.row_path), escaped(&table.column_path));
     out.push_str(&format!("<table class=\"capacity\"><thead><tr><th>{corner}</th>"));
     table.columns.iter().for_each(|c| out.push_str(&format!("<th>{}</th>", escaped(c))));
@@ -134,10 +138,12 @@ pub fn capacity(table: &Filled) -> String {
                 cell.component.map(|v| {
                     format!("<span class=\"component\">{}</span>", shown(Some(v), Rounding::Down))
                 }),
-                cell.code_fails.then(|| "<span class=\"not_ok\">a check fails</span>".to_string()),
-                cell.outcome
-                    .filter(|o| *o >= Outcome::TimedOut)
-                    .map(|o| format!("<span class=\"{0}\">{1}</span>", o.word(), o.plain())),
+                cell.code_fails
+                    .then(|| words.fill("<span class=\"not_ok\">⟦a check fails⟧</span>")),
+                cell.outcome.filter(|o| *o >= Outcome::TimedOut).map(|o| {
+                    let plain = escaped(&words.say(&o.plain()));
+                    format!("<span class=\"{}\">{plain}</span>", o.word())
+                }),
             ];
             out.push_str(&bounds.into_iter().flatten().collect::<Vec<_>>().join(" "));
             out.push_str("</td>");
@@ -151,6 +157,7 @@ pub fn capacity(table: &Filled) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::spec::connection::Language;
     use serde_json::json;
 
     /// Of many rows the page holds the worst, and says so.
@@ -162,9 +169,24 @@ mod tests {
             values.into_iter().map(|(k, v)| (k.to_string(), v)).collect()
         };
         let rows: Vec<_> = (0..MOST_ROWS + 4000).map(row).collect();
-        let page = page("t", &Counts::default(), &[], None, &[], &rows);
+        let page = page(("t", &Words::default()), &Counts::default(), &[], None, &[], &rows);
         assert_eq!(page.matches("\"failed\"").count(), rows.len() / 4);
         assert!(page.contains("20000 of 24000 rows"));
+    }
+
+    /// All texts of the page are in the language of the sweep.
+    #[test]
+    fn a_german_page_is_german() {
+        let words = Words::new(Language::De, []);
+        let counts = Counts::default();
+        let row: Map<String, Value> = [("outcome".to_string(), json!("ok"))].into_iter().collect();
+        let rows = vec![row; MOST_ROWS + 1];
+        let page = page(("t", &words), &counts, &["a < b".to_string()], None, &[], &rows);
+        assert_eq!(words.unknown(), [""; 0]);
+        for text in ["lang=\"de\"", "<h2>Fälle</h2>", "Masse über dem Lastfaktor"] {
+            assert!(page.contains(text), "{text}");
+        }
+        assert!(!page.contains(['⟦', '⟧']));
     }
 
     /// Names of cases come from users' tables.
@@ -173,7 +195,8 @@ mod tests {
         let name = "</script><img src=x onerror=alert(1)>";
         let mut row = Map::new();
         row.insert("case".into(), json!(name));
-        let page = page(name, &Counts::default(), &[name.to_string()], None, &[], &[row]);
+        let counts = Counts::default();
+        let page = page((name, &Words::default()), &counts, &[name.to_string()], None, &[], &[row]);
         assert_eq!(page.matches("<img").count(), 0, "{page}");
         assert_eq!(page.matches("</script>").count(), 2, "{page}");
     }

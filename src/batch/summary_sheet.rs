@@ -76,7 +76,7 @@ fn outcomes(counts: &Counts, broken: &[String], words: &Words) -> Vec<Block> {
     let columns = ["outcome", "cases"].map(|t| plain(words.say(t))).to_vec();
     let mut out = vec![Block::Table { table: Grid { columns, right: vec![false, true], rows } }];
     if !broken.is_empty() {
-        let text = plain(words.say("Expected, and not so:"));
+        let text = plain(words.say("Expected, and not so") + ":");
         out.push(Block::Paragraph { text });
         out.push(Block::List { items: broken.iter().map(plain).collect() });
     }

@@ -56,7 +56,7 @@ function draw() {
       if (key === "result" && r[key]) {
         const link = document.createElement("a");
         link.href = r[key] + "/report.html";
-        link.textContent = "report";
+        link.textContent = "⟦report⟧";
         cell.append(link);
       } else cell.textContent = cell.title = shown(key, r[key]);
       if (numbers.has(key)) cell.className = "number";
@@ -64,8 +64,8 @@ function draw() {
     }
   }
   table.replaceChildren(head, body);
-  const cut = chosen.length > 2000 ? ", the first 2000 shown" : "";
-  document.getElementById("shown").textContent = `${chosen.length} of ${rows.length} rows${cut}`;
+  const cut = chosen.length > 2000 ? ", ⟦the first 2000 shown⟧" : "";
+  document.getElementById("shown").textContent = `${chosen.length} ⟦of⟧ ${rows.length} ⟦rows⟧${cut}`;
 }
 
 const colour = { ok: "#0b6b2e", not_ok: "#b3261e", undecided: "#b07400" };
@@ -102,16 +102,16 @@ function chart() {
     && [r.lambda_low, r.lambda_up, r.component_factor].some(x => typeof x === "number"));
   const place = document.getElementById("chart");
   if (!points.length) {
-    place.textContent = "No case has a mass and a load factor.";
+    place.textContent = "⟦No case has a mass and a load factor⟧.";
     return;
   }
   const factors = points.flatMap(r => [r.lambda_low, r.lambda_up, r.component_factor]).filter(x => typeof x === "number");
   const most = greatest(factors.map(f => Math.min(f, 1e6)), 1.2);
   const masses = points.map(r => r.mass_kg);
   const [svg, x, y] = axes(
-    "mass against load factor",
-    { label: "mass of plates and bolts, kg", from: 0.95 * masses.reduce((a, b) => Math.min(a, b)), to: 1.05 * greatest(masses, 0), digits: 1 },
-    { label: "load factor", from: 0, to: most, digits: 2 },
+    "⟦Mass against load factor⟧",
+    { label: "⟦mass of plates and bolts⟧, kg", from: 0.95 * masses.reduce((a, b) => Math.min(a, b)), to: 1.05 * greatest(masses, 0), digits: 1 },
+    { label: "⟦load factor⟧", from: 0, to: most, digits: 2 },
   );
   const bar = { x1: 60, x2: 745, y1: y(1), y2: y(1), stroke: "currentColor", "stroke-dasharray": "6 4" };
   svg.append(make("line", bar));
@@ -138,13 +138,13 @@ function effort() {
   const points = rows.filter(r => [r.seconds, r.lambda_low, r.lambda_up].every(x => typeof x === "number") && r.lambda_low > 0)
     .map(r => ({ ...r, gap: 100 * (r.lambda_up / r.lambda_low - 1) }));
   if (!points.length) {
-    place.textContent = "No case has a bracket.";
+    place.textContent = "⟦No case has a bracket⟧.";
     return;
   }
   const [svg, x, y] = axes(
-    "gap of the bracket against wall time",
-    { label: "wall time of the case, s", from: 0, to: 1.05 * greatest(points.map(p => p.seconds), 1), digits: 0 },
-    { label: "gap, %", from: 0, to: 1.05 * greatest(points.map(p => p.gap), 1), digits: 1 },
+    "⟦Gap against time⟧",
+    { label: "⟦wall time of the case⟧, s", from: 0, to: 1.05 * greatest(points.map(p => p.seconds), 1), digits: 0 },
+    { label: "⟦gap⟧, %", from: 0, to: 1.05 * greatest(points.map(p => p.gap), 1), digits: 1 },
   );
   for (const p of points) {
     const dot = make("circle", { cx: x(p.seconds), cy: y(p.gap), r: 4, fill: colour[p.outcome] ?? "#7a1fa2" });

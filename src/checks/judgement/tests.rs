@@ -1,0 +1,130 @@
+use super::*;
+use crate::checks::Worked;
+
+fn check(topic: Topic, value: f64, case: Option<&str>) -> Check {
+    let c = Worked::new("6.2", "share", value, Unit::Number, "u").utilised(
+        topic,
+        "row",
+        Status::Failed,
+    );
+    Check { case: case.map(Into::into), ..c }
+}
+
+fn hand(checks: &[Check], unstable: &[&str]) -> HandChecks {
+    let unstable = unstable.iter().map(|s| s.to_string()).collect();
+    HandChecks { checks: checks.to_vec(), unstable, ..HandChecks::default() }
+}
+
+fn verdicts(checks: &[Check], unstable: &[&str], analysis: Verdict) -> [Verdict; 3] {
+    let mut h = hand(checks, unstable);
+    let a = Analysed { verdict: analysis, ..Analysed::not("A") };
+    let (j, _) = judge(&mut h, &[a]);
+    [j.verdict, j.by_code, j.by_analysis]
+}
+
+use Verdict::{None as Nothing, NotOk, Ok as Fine, Undecided};
+
+/// Strength by the component method decides where no limit analysis decides.
+#[test]
+fn the_component_method_decides_where_no_bracket_does() {
+    let over = [check(Topic::ComponentMethod, 1.2, Some("A")), check(Topic::Bolts, 0.9, Some("A"))];
+    assert_eq!(verdicts(&over, &[], Nothing), [NotOk, NotOk, Nothing]);
+    assert_eq!(verdicts(&over, &[], Undecided), [NotOk, NotOk, Undecided]);
+    assert_eq!(
+        verdicts(&over, &[], Fine),
+        [Fine, Fine, Fine],
+        "information beside a bracket that decides"
+    );
+    assert_eq!(verdicts(&over, &[], NotOk), [NotOk, Fine, NotOk]);
+    assert_eq!(verdicts(&over[1..], &[], Nothing), [Fine, Fine, Nothing]);
+    assert_eq!(verdicts(&over[1..], &[], Undecided), [Undecided, Fine, Undecided]);
+}
+
+/// Where a component may buckle the component method binds; no bracket overrules it or any
+/// other binding check.
+#[test]
+fn no_bracket_overrules_what_limit_analysis_does_not_know() {
+    let over = [check(Topic::ComponentMethod, 1.05, Some("A"))];
+    assert_eq!(verdicts(&over, &["A"], Fine), [NotOk, NotOk, Fine]);
+    let unknown =
+        Check::undecided(Topic::Stability, "panel", "6.2.6.1(1)", "slender", "69").of_case("A");
+    assert_eq!(
+        verdicts(std::slice::from_ref(&unknown), &["A"], Fine),
+        [Undecided, Undecided, Fine]
+    );
+    assert_eq!(
+        verdicts(&[unknown, check(Topic::Bolts, 1.01, Some("A"))], &["A"], Fine),
+        [NotOk, NotOk, Fine]
+    );
+    // a bracket does not replace the checks of a joint that the component method does not cover
+    let missing =
+        Check::undecided(Topic::ComponentMethod, "rows", "Table 6.6", "rows", "two outside")
+            .of_case("A");
+    assert_eq!(verdicts(&[missing], &[], Fine), [Undecided, Undecided, Fine]);
+    // a distance that is too small fails without a load
+    assert_eq!(verdicts(&[check(Topic::Detailing, 1.1, None)], &[], Fine), [NotOk, NotOk, Fine]);
+}
+
+/// A check of another case does not affect this one; without checks and without a bracket the
+/// verdict is undecided.
+#[test]
+fn a_demand_always_ends_with_a_verdict() {
+    assert_eq!(verdicts(&[check(Topic::Bolts, 2.0, Some("B"))], &[], Fine), [Fine, Nothing, Fine]);
+    assert_eq!(verdicts(&[], &[], Nothing), [Undecided, Nothing, Nothing]);
+    assert_eq!(
+        verdicts(&[check(Topic::Detailing, 0.5, None)], &[], Nothing),
+        [Undecided, Nothing, Nothing]
+    );
+}
+
+/// A case at serviceability without a check does not affect the verdict; alone it leaves the
+/// verdict undecided.
+#[test]
+fn a_case_at_serviceability_does_not_stand_for_the_ultimate_one() {
+    let mut h = hand(&[check(Topic::Bolts, 0.9, Some("A"))], &[]);
+    h.serviceability = vec!["S".into()];
+    let (j, each) = judge(&mut h.clone(), &[Analysed::not("A"), Analysed::not("S")]);
+    assert_eq!((j.verdict, each[1].verdict), (Fine, Nothing));
+    let limit = Analysed { verdict: Fine, ..Analysed::not("S") };
+    assert_eq!(judge(&mut h, &[limit]).0.verdict, Undecided);
+}
+
+/// The line names the governing check: the failed check of the worst case, with clause and
+/// utilisation.
+#[test]
+fn the_last_line_names_what_governs() {
+    let checks = [check(Topic::Bolts, 0.9, Some("A")), check(Topic::Stability, 1.05, Some("B"))];
+    let case = |name: &str| Analysed {
+        verdict: Fine,
+        utilisation: Some([0.69, 0.81]),
+        ..Analysed::not(name)
+    };
+    let (j, each) = judge(&mut hand(&checks, &[]), &[case("A"), case("B")]);
+    assert_eq!(each.iter().map(|j| j.verdict).collect::<Vec<_>>(), [Fine, NotOk]);
+    let line = j.line(1, None);
+    for words in [
+        "NOT OK (by code NOT OK, by analysis OK)",
+        "B, share, row, utilisation 1.05 (6.2)",
+        "exit code 1",
+    ] {
+        assert!(line.contains(words), "{line}");
+    }
+    assert!(j.reason.contains("limit analysis does not know"), "{}", j.reason);
+    // where all checks hold, the largest utilisation governs
+    let (j, _) = judge(&mut hand(&checks[..1], &[]), &[case("A")]);
+    assert!(j.line(0, None).contains("utilisation 0.9 (6.2)"), "{}", j.line(0, None));
+    let (j, _) = judge(&mut hand(&[check(Topic::Bolts, 0.7, Some("A"))], &[]), &[case("A")]);
+    assert!(
+        j.line(0, None).contains("utilisation 0.69 … 0.81 (limit analysis)"),
+        "{}",
+        j.line(0, None)
+    );
+}
+
+#[test]
+fn brackets_are_rounded_outwards() {
+    assert_eq!(outwards([1.2691, 1.74827]), [1.26, 1.75]);
+    assert_eq!(outwards([0.69, 0.81]), [0.69, 0.81]);
+    assert_eq!(outwards([0.0, f64::INFINITY]), [0.0, f64::INFINITY]);
+    assert_eq!(outwards([12.34, 1234.5]), [12.3, 1240.0]);
+}
