@@ -13,6 +13,8 @@ use crate::result::forces::ContactForce;
 /// Largest sides of the map \[pixels\].
 const SIDES: [f64; 2] = [420.0, 320.0];
 const MARGIN: f64 = 24.0;
+/// Number of faces up to which their edges are drawn.
+const MOST_LINED: usize = 600;
 /// Fraction of the largest pressure below which a face counts as open.
 const OPEN: f64 = 0.02;
 const AXES: [&str; 3] = ["x", "y", "z"];
@@ -105,8 +107,10 @@ fn draw(patches: &[Patch], peak: f64, [u, v]: [usize; 2], pair: &ContactForce) -
     let at =
         |c: [f64; 2]| [MARGIN + LINE + scale * (c[0] - low[0]), MARGIN + scale * (high[1] - c[1])];
     let mut d = Drawing::default();
+    // the lines of a fine mesh would hide the colours
+    let pen = if patches.len() > MOST_LINED { Pen::None } else { Pen::Thin };
     for (corners, pressure) in patches {
-        d.polygon(Pen::Thin, colour(*pressure, peak), &corners.map(at));
+        d.polygon(pen, colour(*pressure, peak), &corners.map(at));
     }
     let [right, bottom] = at([high[0], low[1]]);
     // axes, with the extent of the faces
