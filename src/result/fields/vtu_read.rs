@@ -111,11 +111,18 @@ fn unescape(text: &str) -> String {
     text.replace("&quot;", "\"").replace("&gt;", ">").replace("&lt;", "<").replace("&amp;", "&")
 }
 
-/// Value of an attribute. The blank before its name prevents `Name` from matching inside
-/// `FileName`.
+/// Value of an attribute. The tag is read from the left, because a value may hold what looks like an
+/// attribute.
 fn attribute<'a>(tag: &'a str, name: &str) -> Option<&'a str> {
-    let start = tag.find(&format!(" {name}=\""))? + name.len() + 3;
-    tag[start..].split('"').next()
+    let mut rest = tag;
+    while let Some((before, after)) = rest.split_once("=\"") {
+        let (value, next) = after.split_once('"')?;
+        if before.rsplit(char::is_whitespace).next() == Some(name) {
+            return Some(value);
+        }
+        rest = next;
+    }
+    None
 }
 
 fn number(tag: &str, name: &str) -> Result<usize, VtuError> {
@@ -209,6 +216,10 @@ mod tests {
         let mut grid = sample();
         grid.cell_type = 12;
         assert_eq!(grid.to_bytes(), Err(VtuError::CellType(12)));
+        let mut grid = sample();
+        grid.point_data[0].0 = "u NumberOfComponents=".into();
+        let bytes = grid.to_bytes().expect("any name can be written");
+        assert_eq!(VtuGrid::from_bytes(&bytes).expect("and read").to_bytes(), Ok(bytes));
         let mut grid = sample();
         grid.field_data[1].0 = "bound".into();
         assert!(matches!(grid.to_bytes(), Err(VtuError::Name(_))));
