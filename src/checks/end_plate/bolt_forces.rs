@@ -26,6 +26,8 @@ struct Row {
     z: f64,
     /// Tension of one of its bolts, prying included \[N\].
     tension: f64,
+    /// Force of the row without prying \[N\].
+    pull: f64,
 }
 
 /// The bolts of a member end with their forces.
@@ -52,7 +54,7 @@ impl<'a> BoltForces<'a> {
             end: &a.end,
             rows: from_top(e)
                 .into_iter()
-                .map(|z| Row { z, tension: loaded.bolt_force(z) })
+                .map(|z| Row { z, tension: loaded.bolt_force(z), pull: loaded.pull(z) })
                 .collect(),
             shear: vz.hypot(vy),
             tension_resistance: tension_resistance(&e.bolt, &e.grade, e.factors.gamma_m2).value,
@@ -148,6 +150,11 @@ impl<'a> BoltForces<'a> {
         let mut worked = tension_resistance(&e.bolt, &e.grade, e.factors.gamma_m2);
         worked.title =
             "tension of a bolt, prying included, by the row forces of the component method";
+        if row.pull > 0.0 {
+            let prying = 2.0 * row.tension / row.pull;
+            worked = worked.with("F_tr,Ed", row.pull, Unit::Force);
+            worked = worked.with("2 F_t,Ed/F_tr,Ed", prying, Unit::Number);
+        }
         let topic = Topic::ComponentMethod;
         Some(worked.against(topic, self.place(row), row.tension, Status::Failed))
     }

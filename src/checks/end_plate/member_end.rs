@@ -99,9 +99,14 @@ impl<'a> LoadedEnd<'a> {
     /// Force of a row, counted from the tension side \[N\]; more than its resistance where the load
     /// is.
     pub fn row_force(&self, row: usize) -> f64 {
-        let Some(row) = self.end.assessment.rows.get(row) else { return 0.0 };
+        let rows = &self.end.assessment.rows;
+        rows.get(row).map_or(0.0, |row| self.pull(self.end.sense.z(row.z)))
+    }
+
+    /// Force of the row at `z` \[mm\] without prying \[N\].
+    pub fn pull(&self, z: f64) -> f64 {
         let share = self.end.a.at(1.0)[1][1].abs() / self.method.moment;
-        self.at_row(self.end.sense.z(row.z), |row| share * row.force, |pull| pull.force)
+        self.at_row(z, |row| share * row.force, |pull| pull.force)
     }
 
     /// Tension of one bolt of the row at `z` \[mm\], prying included \[N\].

@@ -250,6 +250,9 @@ fn legend(e: &EndPlate, both: bool, length: Option<f64>) -> Vec<String> {
     let weld =
         |a: f64| if a > 0.0 { format!("fillet a = {}", n(a)) } else { "full penetration".into() };
     out.push(format!("welds: flanges {}, web {}", weld(e.flange_throat), weld(e.web_throat)));
+    if let Some(c) = e.column.as_ref().filter(|c| c.stiffener > 0.0) {
+        out.push(format!("welds of the stiffeners: {}", weld(c.stiffener_throat)));
+    }
     out.push("dimensions in mm; z from the beam's axis, up".into());
     out
 }
