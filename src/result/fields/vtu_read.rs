@@ -111,8 +111,8 @@ fn unescape(text: &str) -> String {
     text.replace("&quot;", "\"").replace("&gt;", ">").replace("&lt;", "<").replace("&amp;", "&")
 }
 
-/// Value of an attribute. The tag is read from the left, because a value may hold what looks like an
-/// attribute.
+/// Value of an attribute. The tag is read from the left, because a value may hold what looks like
+/// an attribute.
 fn attribute<'a>(tag: &'a str, name: &str) -> Option<&'a str> {
     let mut rest = tag;
     while let Some((before, after)) = rest.split_once("=\"") {
