@@ -14,6 +14,9 @@ pub const LEDGE: f64 = 0.05;
 /// Offsets below this are rounding \[mm\].
 const ROUNDING: f64 = 1e-9;
 
+/// Moves a coordinate along an axis.
+type Onto<'a> = dyn FnMut(usize, &mut f64) + 'a;
+
 /// Moves the faces of boxes, with all surfaces that are defined there, onto the faces of profiles
 /// that are less than [`LEDGE`] away. Returns the largest move \[mm\], if there was one.
 pub fn close(assembly: &mut Assembly) -> Option<f64> {
@@ -30,8 +33,7 @@ pub fn close(assembly: &mut Assembly) -> Option<f64> {
         boxes(&mut part.solid, &mut onto);
         part.convex.iter_mut().for_each(|s| boxes(s, &mut onto));
         for MidPlane { axis, at, min, max } in &mut part.mid_planes {
-            onto(*axis, at);
-            corners(min, max, &mut onto);
+            plane((*axis, at), [min, max], &mut onto);
         }
     }
     let interfaces =
@@ -40,21 +42,25 @@ pub fn close(assembly: &mut Assembly) -> Option<f64> {
     let faces = assembly.faces.iter_mut().map(|f| &mut f.surface);
     for surface in interfaces.chain(welds).chain(faces) {
         if let Surface::Plane { axis, at, min, max } = surface {
-            onto(*axis, at);
-            corners(min, max, &mut onto);
+            plane((*axis, at), [min, max], &mut onto);
         }
     }
     (largest > 0.0).then_some(largest)
 }
 
-fn corners(min: &mut V3, max: &mut V3, onto: &mut dyn FnMut(usize, &mut f64)) {
+fn plane((axis, at): (usize, &mut f64), [min, max]: [&mut V3; 2], onto: &mut Onto<'_>) {
+    onto(axis, at);
+    corners(min, max, onto);
+}
+
+fn corners(min: &mut V3, max: &mut V3, onto: &mut Onto<'_>) {
     (0..3).for_each(|k| {
         onto(k, &mut min[k]);
         onto(k, &mut max[k]);
     });
 }
 
-fn boxes(solid: &mut Solid, onto: &mut dyn FnMut(usize, &mut f64)) {
+fn boxes(solid: &mut Solid, onto: &mut Onto<'_>) {
     match solid {
         Solid::Box { min, max } => corners(min, max, onto),
         Solid::Union(all) | Solid::Difference(all) => all.iter_mut().for_each(|s| boxes(s, onto)),

@@ -59,6 +59,9 @@ pub fn value(cell: &str, unit: Option<&str>) -> Result<Option<Value>, String> {
         let Some(inner) = inner.strip_suffix(']') else {
             return Err(format!("`{cell}`: the list has no end"));
         };
+        if inner.contains(['[', ']']) {
+            return Err("a list within a list: a cell holds a value or one list of values".into());
+        }
         let entries = inner.split([';', ',', ' ']).filter(|e| !e.is_empty());
         let entries = entries.map(|e| value(e, unit).map(|v| v.unwrap_or(Value::Null)));
         return entries.collect::<Result<_, _>>().map(|l| Some(Value::Array(l)));
@@ -129,6 +132,11 @@ mod tests {
         for (cell, why) in [("12,5", "`12.5`"), ("[1; 2", "no end"), ("inf", "not a finite")] {
             let fault = value(cell, None).expect_err(cell);
             assert!(fault.contains(why), "{cell}: {fault}");
+        }
+        // the reading of a list within a list would go as deep as the lists
+        for depth in [2, 100_000] {
+            let cell = format!("{}1{}", "[".repeat(depth), "]".repeat(depth));
+            assert!(value(&cell, None).expect_err("nested").contains("a list within a list"));
         }
         assert_eq!(verdict("NOT OK"), Ok(Some(Verdict::NotOk)));
         assert!(verdict("perhaps").is_err());

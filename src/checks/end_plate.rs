@@ -36,6 +36,7 @@ mod welded_steel;
 mod welds_list;
 
 pub use clamped_plates::stocked_length;
+pub use class_checks::stiffness_class_limits;
 pub use comparison::Comparison;
 pub use diagram::{MomentAxial, moment_axial};
 pub use hand_checks::HandChecks;

@@ -4,6 +4,7 @@ use crate::assembly::BoltLine;
 use crate::checks::HandChecks;
 use crate::driver::demands::CaseDemand;
 use crate::refine::plan;
+use crate::report::draw::moment_rotation;
 use crate::report::markdown::report_data::CatalogueRow;
 use crate::report::markdown::report_data::PictureRef;
 use crate::report::markdown::report_data::ResolvedValue;
@@ -45,6 +46,10 @@ pub struct RunContext {
     pub checks: HandChecks,
     /// The load cases that are demands on the joint; a model file has none.
     pub demands: Vec<CaseDemand>,
+    /// The actions at the bolt planes; empty where they are given there.
+    pub plane_actions: Table,
+    /// What the diagram of moment and rotation shows beside the resistance.
+    pub rotation: moment_rotation::Frame,
     /// Drawings as SVG text, with file name and caption.
     pub drawings: Vec<(PictureRef, String)>,
     /// The end plate as DXF, where the joint has one.

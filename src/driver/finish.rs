@@ -108,7 +108,7 @@ fn write(
         folder.write(DXF_FILE, dxf.as_bytes())?;
     }
     let mut drawings: Vec<PictureRef> = context.drawings.into_iter().map(|d| d.0).collect();
-    if let Some((drawing, text)) = moment_rotation::drawing(&result) {
+    if let Some((drawing, text)) = moment_rotation::drawing(&result, &context.rotation) {
         folder.write(&drawing.file, text.as_bytes())?;
         drawings.push(drawing);
     }
@@ -123,6 +123,7 @@ fn write(
         input_read: context.input_read,
         resolved: context.resolved,
         demands: given,
+        plane_actions: context.plane_actions,
         catalogue_rows: context.catalogue_rows,
         drawings,
         schedule: context.schedule,

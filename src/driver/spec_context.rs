@@ -9,13 +9,16 @@ use crate::diag::Diagnostics;
 use crate::driver::context::RunContext;
 use crate::driver::demands::demands;
 use crate::driver::spec_file::SpecFile;
-use crate::report::draw::{drawing, dxf, moment_axial};
+use crate::report::draw::contact_map::AXES;
+use crate::report::draw::{drawing, dxf, moment_axial, moment_rotation};
+use crate::report::markdown::demand::on_planes;
 use crate::report::markdown::report_data::CatalogueRow;
 use crate::report::markdown::report_data::PictureRef;
 use crate::report::markdown::report_data::ResolvedValue;
 use crate::report::markdown::report_data::Table;
 use crate::report::markdown::schedule;
 use crate::spec::connection::ConnectionSpec;
+use crate::spec::loads::ActionPoint;
 use crate::spec::yaml;
 use serde_json::json;
 use std::path::Path;
@@ -60,6 +63,8 @@ pub fn spec_context(
         coarser: "a coarser mesh (`--size-factor` above 1, or a larger `analysis.mesh.size`)",
         checks,
         demands: demands(&input.spec.value.loads),
+        plane_actions: plane_actions(input),
+        rotation: end_plate.map_or_else(Default::default, moment_rotation::Frame::of),
         drawings: drawings(input),
         plate_dxf: end_plate.map(|e| dxf::end_plate(e, plates(input))),
         supports: supports(&input.joint.assembly),
@@ -123,6 +128,14 @@ fn drawings(input: &SpecFile) -> Vec<(PictureRef, String)> {
     out
 }
 
+/// The actions at the bolt planes, where the spec gives them elsewhere.
+fn plane_actions(input: &SpecFile) -> Table {
+    let points = input.spec.value.loads.iter().filter_map(|l| l.at);
+    let moved = points.into_iter().any(|at| at != ActionPoint::BoltPlane);
+    let end_plate = input.joint.end_plate.as_ref().filter(|_| moved);
+    end_plate.map_or_else(Default::default, |e| on_planes(&e.actions))
+}
+
 /// The supports of the model, with the section that each holds.
 fn supports(assembly: &Assembly) -> Table {
     let row = |support: &FaceSupport| -> Option<Vec<String>> {
@@ -140,9 +153,6 @@ fn supports(assembly: &Assembly) -> Table {
         rows: assembly.supports.iter().filter_map(row).collect(),
     }
 }
-
-/// Names of the axes.
-const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// The values of the joint with their origin.
 fn resolved_values(input: &SpecFile) -> Vec<ResolvedValue> {

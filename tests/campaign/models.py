@@ -13,6 +13,9 @@ SHARE = 0.28
 # Bounds of equal models under a change of axes or units differ by the accuracy of the solver alone.
 # README.md has the measured differences.
 AGREE = 1e-3
+# The kinematic program of limit analysis ends with forces unbalanced by up to 1e-3 of the loads
+# (docs/theory.md, Stop). The bound stays above the true factor, but not by the same part.
+AGREE_MECHANISM = 0.05
 # Two values of one bound that are this near to zero, relative to the other bound, count as equal.
 FLAT = 1e-9
 # a load factor next to zero: a structure that only friction or a dead load could hold
@@ -78,7 +81,8 @@ def agree(case, what, one, two, limit):
             case.largest = max(getattr(case, "largest", 0.0), off)
             # of a factor that is zero only the size beside that of a loaded structure is accurate
             nothing = limit and size < NOTHING
-            if off > AGREE and not nothing:
+            agreed = AGREE_MECHANISM if limit and name == "upper" else AGREE
+            if off > agreed and not nothing:
                 case.fault("a law is broken", f"{what}: {name} {a!r} {b!r}, {off:.1e}")
 
 

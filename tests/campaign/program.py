@@ -37,8 +37,9 @@ class Outcome:
 class Running:
     """A started process. It leads a session of its own, so that what it leaves behind is found."""
 
-    def __init__(self, command, cwd, env, stdin=None, stdout=None):
+    def __init__(self, command, cwd, env, patience, stdin=None, stdout=None):
         self.command = command
+        self.patience = patience
         self.out_file = tempfile.TemporaryFile()
         self.err_file = tempfile.TemporaryFile()
         self.start = time.monotonic()
@@ -69,8 +70,9 @@ class Running:
             os.kill(self.process.pid, number)
 
     def wait(self, limit):
-        """Waits for the end. After `limit` seconds the whole session is killed."""
-        end = time.monotonic() + limit
+        """Waits for the end. After `limit` seconds, times the patience, the whole session is
+        killed."""
+        end = time.monotonic() + self.patience * limit
         pause = 0.002
         while not self.poll() and time.monotonic() < end:
             time.sleep(pause)
@@ -138,10 +140,12 @@ def quietly_kill(pid):
 
 
 class Program:
-    """The program with its environment."""
+    """The program with its environment. `patience` multiplies all time limits: a machine that does
+    other work is slower."""
 
-    def __init__(self, path, checkout):
+    def __init__(self, path, checkout, patience=1.0):
         self.path = str(path)
+        self.patience = patience
         self.env = dict(os.environ, RUST_BACKTRACE="0")
         # temporary folders lie outside the checkout, where the search for `.venv` ends in nothing
         tools = Path(checkout, ".venv", "bin")
@@ -150,7 +154,7 @@ class Program:
                 self.env[key] = json.dumps([str(tools / "python"), str(tools / name)])
 
     def start(self, args, cwd, **more):
-        return Running([self.path, *map(str, args)], cwd, self.env, **more)
+        return Running([self.path, *map(str, args)], cwd, self.env, self.patience, **more)
 
     def json(self, *args):
         """The data that a listing command prints."""

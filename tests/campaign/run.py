@@ -60,6 +60,9 @@ def arguments():
     parser.add_argument("--report", help="file for all counts, as JSON")
     parser.add_argument("--index", type=int, help="only this case of each arm")
     parser.add_argument("--cases", type=int, help="so many cases of each arm, whatever the time")
+    parser.add_argument(
+        "--patience", type=float, default=1.0, help="factor of all time limits (default: 1)"
+    )
     return parser.parse_args()
 
 
@@ -131,7 +134,7 @@ def main():
     path = Path(options.bracket or CHECKOUT / "target/release/bracket").resolve()
     if not path.is_file():
         sys.exit(f"no program at {path}: build it with `cargo build --release --locked`")
-    program = Program(path, CHECKOUT)
+    program = Program(path, CHECKOUT, options.patience)
     arms = [importlib.import_module(name) for name in options.arm or ARMS]
     whole = sum(arm.SHARE for arm in arms)
     tallies = []

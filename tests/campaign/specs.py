@@ -82,9 +82,9 @@ def run(case):
         shrink(case, spec, flow)
         return
     choice = r.random()
-    if choice < 0.45:
+    if choice < 0.3:
         mesh(case, spec, r)
-    elif choice < 0.75:
+    elif choice < 0.95:
         analyse(case, spec, r)
 
 
@@ -110,8 +110,10 @@ def mesh(case, spec, r):
 
 def analyse(case, spec, r):
     """One coarse pass; then, of some, the whole joint, twice the load, or the mirrored joint."""
-    kind = r.choice(["elastic", "limit"])
-    factor = round(r.uniform(2.5, 4), 2)
+    # limit analyses take longer
+    kind = r.choice(["elastic", "elastic", "limit"])
+    # bounds hold on any mesh, and coarse ones are solved soon
+    factor = round(r.uniform(3.5, 6), 2)
     spec = copy.deepcopy(spec)
     # one load case: a run is long
     first = spec["loads"][0]["name"]
@@ -160,7 +162,7 @@ def one(case, name, spec, factor, *options):
             words = outcome.message()
             case.fault("no result", f"{name}: exit {outcome.code}: {words}")
         return {}, outcome
-    if outcome.seconds > 100:
+    if outcome.seconds > 100 * case.program.patience:
         case.fault("time limit", f"{name}: {outcome.seconds:.0f} s with a limit of 60 s")
     fits(case, outcome, result, name)
     within_forecast(case, name, result)
@@ -173,7 +175,9 @@ def within_forecast(case, name, result):
     the rest of a run needs. Time depends on what else runs on the machine and is only counted."""
     for row in (row for entry in result["cases"] for row in entry.get("history", [])):
         keys = ("kinematic", "static", "static_frictionless")
-        runs = [row[key] for key in keys if row.get(key, {}).get("status") == "optimal"]
+        # a program that was stopped has had its memory, one that was not started has none
+        begun = [row[key] for key in keys if key in row]
+        runs = [run for run in begun if run["status"] != "too large"]
         if not runs or "peak_memory_mib" not in row:
             continue
         case.count("forecasts")
@@ -182,7 +186,7 @@ def within_forecast(case, name, result):
             words = f"{row['peak_memory_mib']} MiB, forecast {expected} MiB"
             case.fault("memory over forecast", f"{name}: {words}")
         for run in runs:
-            if run["seconds"] > 1.5 * run["forecast_seconds"] + 1:
+            if run["status"] == "optimal" and run["seconds"] > 1.5 * run["forecast_seconds"] + 1:
                 case.count("slower than the forecast")
 
 

@@ -147,7 +147,12 @@ fn histories_with_more_than_the_meshes_prove_are_refuted() {
     let bench = bench(MODEL);
     expect(&bench, &["analyse", "block.yaml", "-q"], 0);
     let honest = result(&bench, "block");
-    let edits: [Edit<'_>; 6] = [
+    let edits: [Edit<'_>; 7] = [
+        ("stand in an earlier row", &|rows| {
+            let mut row = rows[0].clone();
+            row["seconds"] = json!(1.0);
+            rows.as_array_mut().expect("rows").push(row);
+        }),
         // a mesh that nobody has, with tight bounds, before and after the true one
         ("the best bounds of history", &|rows| {
             let mut row = rows[0].clone();
@@ -201,6 +206,10 @@ fn the_bound_without_friction_stays() {
         forge(&bench, "stack", &changed(&honest, "/cases/0/frictionless", change));
         refuted(&bench, "stack", "frictionless");
     }
+    let run = "/cases/0/history/0/static_frictionless";
+    assert!(honest.pointer(run).is_some(), "{honest}");
+    forge(&bench, "stack", &changed(&honest, run, None));
+    refuted(&bench, "stack", "the program behind the bound without friction");
     forge(&bench, "stack", &honest);
     expect(&bench, &["verify", "stack"], 0);
 }

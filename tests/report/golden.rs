@@ -215,6 +215,7 @@ fn data() -> ReportData {
             origin: "computed: hole = shank".into(),
         }],
         demands: vec![],
+        plane_actions: Table::default(),
         catalogue_rows: vec![CatalogueRow {
             own: false,
             kind: "profile".into(),

@@ -15,7 +15,8 @@ const STIFFNESS: &str = "EN 1993-1-8:2005 5.2.2.5(1)";
 
 /// All classes for a member end under a load case, whatever acts beside the moment.
 pub(super) fn classes(end: &MemberEnd<'_>) -> Vec<Check> {
-    let mut out = vec![strength(end), stiffness(end)];
+    let mut out = vec![strength(end)];
+    out.extend(stiffness(end));
     if end.e.column.is_some() {
         out.extend(stiffness_classes(end));
     }
@@ -54,19 +55,16 @@ fn strength(end: &MemberEnd<'_>) -> Check {
         .information(Topic::ComponentMethod, end.subject())
 }
 
-/// S_j at the moment of the case. Above M_j,Rd the formula does not apply, which the check notes.
-fn stiffness(end: &MemberEnd<'_>) -> Check {
+/// S_j at the moment of the case; `None` above M_j,Rd, up to which the formula holds.
+fn stiffness(end: &MemberEnd<'_>) -> Option<Check> {
     let demand = end.a.at(1.0)[1][1].abs();
     let (initial, joint) = (end.assessment.stiffness.initial.value, end.assessment.moment.value);
+    if demand > joint {
+        return None;
+    }
     let mut worked = at_moment(initial, demand, joint);
     worked.formula += &format!(" at M_j,Ed = {}", Unit::Moment.show(demand));
-    if demand > joint {
-        worked.formula += &format!(
-            ", above M_j,Rd = {}, up to which the formula holds",
-            Unit::Moment.show(joint)
-        );
-    }
-    worked.information(Topic::Stiffness, end.subject())
+    Some(worked.information(Topic::Stiffness, end.subject()))
 }
 
 /// K_b/K_c of the beam and the column at the joint; the code uses the means over the storey.
@@ -74,6 +72,20 @@ fn slender_columns(e: &EndPlate) -> Option<f64> {
     let column = e.column.as_ref()?;
     let of = |i: f64, length: f64| 1e4 * i / length;
     Some(of(e.beam.i_y, e.system_length?) / of(column.section.i_y, column.system_length?))
+}
+
+/// Limits of the classes by stiffness of a beam of known length: their factor of E I_b/L_b, and the
+/// stiffness \[N mm/rad\]. Empty without a column or a length.
+///
+/// # Source
+/// EN 1993-1-8:2005 5.2.2.5(1), Figure 5.4.
+pub fn stiffness_class_limits(e: &EndPlate) -> Vec<(f64, f64)> {
+    let Some(length) = e.system_length.filter(|_| e.column.is_some()) else { return Vec::new() };
+    let stiff = slender_columns(e).is_some_and(|r| r < STIFF_COLUMNS);
+    let of = |f: Frame| stiffness_limits(f, stiff, e.beam_steel.e, 1e4 * e.beam.i_y, length);
+    let rigid = [Frame::Braced, Frame::Unbraced].map(|f| (f.factor(), of(f).rigid.value));
+    let all = rigid.into_iter().chain([(0.5, of(Frame::Braced).pinned.value)]);
+    all.filter(|(_, s)| s.is_finite()).collect()
 }
 
 /// The class for both kinds of frame where the length of the beam is known, otherwise the length

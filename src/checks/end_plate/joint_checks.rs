@@ -85,7 +85,7 @@ pub(super) fn panel(end: &MemberEnd<'_>) -> Option<Check> {
         false => "column web panel in shear",
     };
     check.formula = format!(
-        "V_wp,Ed = |(M_b1 − M_b2)/z{}| = |({} − {})/{}{}| = {}; {}",
+        "V_wp,Ed = |(M_b1 − M_b2)/z_eq{}| = |({} − {})/{}{}| = {}; {}",
         if relief == 0.0 { "" } else { " − (V_c1 − V_c2)/2" },
         Unit::Moment.show(own),
         Unit::Moment.show(other),

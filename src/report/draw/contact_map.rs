@@ -17,7 +17,7 @@ const MARGIN: f64 = 24.0;
 const MOST_LINED: usize = 600;
 /// Fraction of the largest pressure below which a face counts as open.
 const OPEN: f64 = 0.02;
-const AXES: [&str; 3] = ["x", "y", "z"];
+pub(crate) const AXES: [&str; 3] = ["x", "y", "z"];
 const NOTHING: &str = "#eef1f4";
 const BANDS: [&str; 5] = ["#fde0c5", "#f8b58b", "#f2855d", "#e34f38", "#a50f15"];
 

@@ -1,7 +1,10 @@
-//! Moment against rotation: the curve of the component method, the bracket of the initial stiffness
-//! and the bracket of the resistance.
+//! Moment against rotation: the curve of the component method with the largest demand, the limits
+//! of the classes, the bracket of the initial stiffness and the bracket of the resistance.
 
+use crate::assembly::EndPlate;
 use crate::checks::Check;
+use crate::checks::check::number;
+use crate::checks::end_plate::stiffness_class_limits;
 use crate::report::draw::axes::Axes;
 use crate::report::draw::svg::{Anchor, Drawing, LINE, Pen};
 use crate::report::markdown::report_data::PictureRef;
@@ -18,6 +21,42 @@ const POINTS: usize = 24;
 const METHOD: &str = "#8a5a00";
 const STIFFNESS: &str = "#cfe3cf";
 const RESISTANCE: &str = "#dbe7f3";
+
+/// What a diagram shows of the frame around the joint. The default shows nothing.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Frame {
+    /// Load case, with the member end where there are several, and M_j,Ed at the bolt plane
+    /// \[kN m\], positive for tension at the top.
+    moments: Vec<(String, f64)>,
+    /// Limits of the classes by stiffness, where the length of the beam is given: their factor of
+    /// E I_b/L_b, and the stiffness \[kN m/mrad\].
+    limits: Vec<(f64, f64)>,
+}
+
+impl Frame {
+    /// The moments of the ultimate load cases and the limits of the classes.
+    pub fn of(e: &EndPlate) -> Self {
+        let several = e.actions.iter().any(|a| a.end != e.actions[0].end);
+        let moments = e.actions.iter().filter(|a| a.state.is_ultimate()).map(|a| {
+            let name = if several { format!("{}, {}", a.case, a.end) } else { a.case.clone() };
+            (name, 1e-6 * a.at(1.0)[1][1])
+        });
+        let limits = stiffness_class_limits(e).into_iter().map(|(k, s)| (k, 1e-9 * s));
+        Self { moments: moments.collect(), limits: limits.collect() }
+    }
+
+    /// The largest demand in the sense of a curve.
+    fn largest(&self, sense: &str) -> Option<(&str, f64)> {
+        let counts = |m: f64| match sense {
+            "tension at the top" => m > 0.0,
+            "tension at the bottom" => m < 0.0,
+            _ => m != 0.0,
+        };
+        let mine = self.moments.iter().filter(|(_, m)| counts(*m));
+        let sizes = mine.map(|(name, m)| (name.as_str(), m.abs()));
+        sizes.reduce(|a, b| if b.1 > a.1 { b } else { a })
+    }
+}
 
 /// What stands before a line of the legend.
 enum Key {
@@ -92,7 +131,7 @@ fn resistance(case: &CaseResult) -> Option<[f64; 2]> {
 }
 
 /// The drawing of a result as SVG text; `None` where the component method gives no curve.
-pub fn drawing(result: &ResultFile) -> Option<(PictureRef, String)> {
+pub fn drawing(result: &ResultFile, frame: &Frame) -> Option<(PictureRef, String)> {
     let curves = curves(&result.checks);
     if curves.is_empty() {
         return None;
@@ -101,9 +140,10 @@ pub fn drawing(result: &ResultFile) -> Option<(PictureRef, String)> {
     let bracket = result.cases.iter().find_map(|c| Some((c, resistance(c)?)));
     let ends = curves.iter().map(|c| [1.35 * c.rotation(c.resistance), c.resistance]);
     let mut largest = ends.fold([0.0f64; 2], |r, c| [r[0].max(c[0]), r[1].max(c[1])]);
-    if let Some((_, [_, up])) = bracket {
-        largest[1] = largest[1].max(up);
-    }
+    let demands = curves.iter().filter_map(|c| Some((c, frame.largest(&c.sense)?)));
+    let demands: Vec<(&Curve, (&str, f64))> = demands.collect();
+    let moments = demands.iter().map(|(_, (_, m))| *m).chain(bracket.map(|(_, [_, up])| up));
+    largest[1] = moments.fold(largest[1], f64::max);
     let axes = Axes::quadrant(largest);
     let mut d = Drawing::default();
     let mut legend: Vec<(String, Key)> = Vec::new();
@@ -134,6 +174,34 @@ pub fn drawing(result: &ResultFile) -> Option<(PictureRef, String)> {
         legend.push((format!("component method, {}", curve.sense), Key::Line(pen)));
         let [x, y] = axes.at([curve.rotation(curve.resistance), curve.resistance]);
         d.circle(Pen::Edge, METHOD, [x, y], 3.0);
+    }
+    for (curve, (name, moment)) in demands {
+        // beyond M_j,Rd there is no rotation to read
+        let rotation = (moment <= curve.resistance).then(|| curve.rotation(moment));
+        let end = axes.at([rotation.unwrap_or(axes.reach()[0]), moment]);
+        d.line(Pen::Action, axes.at([0.0, moment]), end);
+        if let Some(rotation) = rotation {
+            d.line(Pen::Action, end, axes.at([rotation, 0.0]));
+        }
+        let text = format!("M_j,Ed of {name}: {} kN m", number(moment));
+        legend.push((text, Key::Line(Pen::Action)));
+    }
+    for (factor, slope) in &frame.limits {
+        let reach = axes.reach();
+        let end = [(reach[1] / slope).min(reach[0]), (reach[0] * slope).min(reach[1])];
+        d.line(Pen::Thin, axes.at([0.0; 2]), axes.at(end));
+        // beside the line, within the frame
+        let [x, y] = axes.at(end);
+        let steep = end[1] >= reach[1];
+        let (place, anchor) = match steep {
+            true => ([x + 4.0, y + 10.0], Anchor::Start),
+            false => ([x - 4.0, y - 8.0], Anchor::End),
+        };
+        d.text(place, anchor, &number(*factor));
+    }
+    if !frame.limits.is_empty() {
+        let text = "limits of the classes, times E I_b/L_b".to_owned();
+        legend.push((text, Key::Line(Pen::Thin)));
     }
     let [left, top] = axes.draw(&mut d, ["rotation φ [mrad]", "M_j [kN m]"]);
     for (i, (text, key)) in legend.iter().enumerate() {
@@ -168,5 +236,17 @@ mod tests {
         let points = curve.points();
         assert_eq!((points[0], points[1]), ([0.0, 0.0], [3.0, 60.0]));
         assert!(points.windows(2).all(|w| w[0][0] < w[1][0] && w[0][1] < w[1][1]));
+    }
+
+    /// The largest moment of each sense is the demand on its curve.
+    #[test]
+    fn the_largest_demand_of_a_sense_is_drawn() {
+        let moments = [("A", 30.0), ("B", -50.0), ("C", 40.0)];
+        let frame =
+            Frame { moments: moments.map(|(n, m)| (n.to_owned(), m)).into(), limits: Vec::new() };
+        assert_eq!(frame.largest("tension at the top"), Some(("C", 40.0)));
+        assert_eq!(frame.largest("tension at the bottom"), Some(("B", 50.0)));
+        assert_eq!(frame.largest("both senses of bending"), Some(("B", 50.0)));
+        assert_eq!(Frame::default().largest("both senses of bending"), None);
     }
 }

@@ -1,5 +1,7 @@
-//! Verdicts and capacities of the load cases with a demand.
+//! Verdicts and capacities of the load cases with a demand, and the actions on the joint.
 
+use crate::assembly::PlaneActions;
+use crate::checks::check::{Unit, number};
 use crate::report::figures::{Rounding, bracket, significant};
 use crate::report::markdown::markup::{strings, table};
 use crate::report::markdown::report_data::{GivenActions, Table};
@@ -57,6 +59,31 @@ pub(crate) fn actions(result: &ResultFile, given: &[GivenActions]) -> Table {
     Table { columns, rows }
 }
 
+/// The actions at the bolt planes, with which the checks are made. The components that are zero in
+/// every case are left out; N, Vz and My stay.
+pub(crate) fn on_planes(actions: &[PlaneActions]) -> Table {
+    let names = ["N", "Vy", "Vz", "T", "My", "Mz"];
+    let of = |a: &PlaneActions| {
+        let [force, moment] = a.at(1.0);
+        [force[0], force[1], force[2], moment[0], moment[1], moment[2]]
+    };
+    let shown = |k: &usize| [0, 2, 4].contains(k) || actions.iter().any(|a| of(a)[*k] != 0.0);
+    let shown: Vec<usize> = (0..names.len()).filter(shown).collect();
+    let row = |a: &PlaneActions| {
+        let unit = |k: usize| if k < 3 { Unit::Force } else { Unit::Moment };
+        let values = shown.iter().map(|k| unit(*k).show(of(a)[*k]).replace('-', "−"));
+        let place = [a.case.clone(), a.end.clone(), format!("{} mm", number(a.from_node))];
+        place.into_iter().chain(values).collect()
+    };
+    let mut columns = strings(["load case", "member end", "d, from the node"]);
+    columns.extend(shown.iter().map(|k| names[*k].to_owned()));
+    Table { columns, rows: actions.iter().map(row).collect() }
+}
+
+/// What the table of [`on_planes`] is.
+pub(crate) const ON_PLANES: &str =
+    "Actions at the bolt plane, with which the checks are made: My = My,node + d Vz";
+
 fn action_row(
     case: &str,
     a: &EndAction,
@@ -64,12 +91,13 @@ fn action_row(
 ) -> Vec<String> {
     let (value, unit) = a.value.shown();
     let sign = if value < 0.0 { "−" } else { "" };
-    let size =
-        |factor: f64, rounding| format!("{sign}{}", significant(factor * value.abs(), 3, rounding));
+    let size = |factor: f64, rounding| {
+        format!("{sign}{} {unit}", significant(factor * value.abs(), 3, rounding))
+    };
     let (low, high) = match (lower, upper) {
         (Some(l), Some(u)) if a.factored && value != 0.0 => {
             let (l, u) = bracket((l * value.abs()).next_down(), (u * value.abs()).next_up(), 3);
-            (format!("{sign}{l}"), format!("{sign}{u}"))
+            (format!("{sign}{l} {unit}"), format!("{sign}{u} {unit}"))
         }
         _ if !a.factored => ("fixed".into(), "fixed".into()),
         // words state whether a single bound is a lower or an upper one
@@ -115,12 +143,14 @@ mod tests {
         };
         let page = text(None, Some(1.2));
         assert!(
-            page.contains("| – | at most 48.1 |") && page.contains("| – | at most −12.1 |"),
+            page.contains("| – | at most 48.1 kN m |")
+                && page.contains("| – | at most −12.1 kN m |"),
             "{page}"
         );
         let page = text(Some(0.8), None);
         assert!(
-            page.contains("| at least 31.9 | – |") && page.contains("| at least −7.99 | – |"),
+            page.contains("| at least 31.9 kN m | – |")
+                && page.contains("| at least −7.99 kN m | – |"),
             "{page}"
         );
         let page = text(None, None);

@@ -33,6 +33,9 @@ pub struct ReportData {
     pub resolved: Vec<ResolvedValue>,
     /// Actions at member ends, of each load case that is a demand.
     pub demands: Vec<GivenActions>,
+    /// The actions at the bolt planes; empty where they are given there.
+    #[serde(default)]
+    pub plane_actions: Table,
     /// Rows taken from catalogues.
     pub catalogue_rows: Vec<CatalogueRow>,
     /// Drawings of the joint and of its actions.

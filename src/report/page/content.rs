@@ -45,6 +45,10 @@ impl<'a> Content<'a> {
             self.titled("Actions", |c| {
                 sheet.drawings.iter().filter(signs).for_each(|p| c.figure(p));
                 c.grid(&sheet.actions);
+                if !sheet.plane_actions.rows.is_empty() {
+                    c.line("p", "", &pieces(&sheet.plane_note));
+                    c.grid(&sheet.plane_actions);
+                }
             });
         }
         if !sheet.summary.is_empty() {

@@ -15,7 +15,7 @@ use crate::report::figures::{Rounding, significant};
 use crate::report::markdown::answer::answer;
 use crate::report::markdown::assumptions::assumptions;
 use crate::report::markdown::collapse::mechanism;
-use crate::report::markdown::demand::actions;
+use crate::report::markdown::demand::{ON_PLANES, actions};
 use crate::report::markdown::hand_checks::{TOPICS, place, status, value_of};
 use crate::report::markdown::report_data::{PictureRef, ReportData, ResolvedValue, Table};
 use crate::report::markdown::verdict::{next_step, parts};
@@ -48,8 +48,11 @@ pub fn sheet(data: &ReportData, words: &Words, extent: Extent, paper: Paper) -> 
         verdict: verdict(&data.result, words),
         drawings: captions(&data.drawings, words),
         actions: grid(&actions(&data.result, &data.demands), words),
+        plane_actions: grid(&data.plane_actions, words),
+        plane_note: pieces(&words.say(ON_PLANES)),
         summary: rows.into_iter().map(|r| summary_line(r, words)).collect(),
         answers: data.result.cases.iter().map(|c| case_answer(c, data, words)).collect(),
+        frame: if full { Grid::default() } else { grid(&joint_values(&data.result.checks), words) },
         pictures: captions(&data.pictures, words),
         design_values: design_values(&data.resolved, words),
         schedule: grid(&data.schedule, words),
@@ -60,6 +63,26 @@ pub fn sheet(data: &ReportData, words: &Words, extent: Extent, paper: Paper) -> 
         assumptions: sentences(assumptions(data)),
         analysis: if full { analysis_sections(data, words) } else { Vec::new() },
         sections: if full { input_sections(data, words) } else { Vec::new() },
+    }
+}
+
+/// M_j,Rd and the stiffness of the joint for each sense of bending.
+fn joint_values(checks: &[Check]) -> Table {
+    const MOMENT: &str = "moment resistance of the joint";
+    let row = |moment: &Check| {
+        let value = |title: &str| {
+            let mut mine = checks.iter().filter(|c| c.subject == moment.subject);
+            let found = mine.find(|c| c.title == title);
+            found
+                .map_or_else(|| "–".into(), |c| c.resistance.map_or("–".into(), |v| c.unit.show(v)))
+        };
+        let titles =
+            [MOMENT, "initial rotational stiffness", "rotational stiffness for elastic analysis"];
+        std::iter::once(moment.subject.clone()).chain(titles.map(value)).collect()
+    };
+    Table {
+        columns: ["sense of bending", "M_j,Rd", "S_j,ini", "S_j,ini/η"].map(String::from).into(),
+        rows: checks.iter().filter(|c| c.title == MOMENT).map(row).collect(),
     }
 }
 

@@ -143,10 +143,16 @@ pub struct Sheet {
     pub drawings: Vec<PictureRef>,
     /// Actions of the load cases, with what the joint carries.
     pub actions: Grid,
+    /// Actions at the bolt planes; empty where they are given there.
+    pub plane_actions: Grid,
+    /// What the table before is.
+    pub plane_note: Vec<Piece>,
     /// Checks with a demand, worst first.
     pub summary: Vec<SummaryLine>,
     /// Bounds of the load cases.
     pub answers: Vec<CaseAnswer>,
+    /// Resistance and stiffness for the analysis of the frame in the short report.
+    pub frame: Grid,
     /// Pictures of mesh and mechanism.
     pub pictures: Vec<PictureRef>,
     /// Partial factors and strengths: symbol, of what, value.

@@ -90,9 +90,16 @@ pub fn history_differences(
         out.push("no row of history has the bounds and the sizes of their mesh".to_owned());
     }
     for (i, row) in claimed.history.iter().enumerate() {
-        let faults =
-            [history.gap_fault(row), history.so_far_fault(i), history.run_fault(i, bounds)];
+        let faults = [
+            history.gap_fault(row),
+            history.so_far_fault(i),
+            history.run_fault(i, bounds),
+            history.repeats(i).then_some("the mesh and its bounds stand in an earlier row"),
+        ];
         out.extend(faults.into_iter().flatten().map(|what| format!("history[{i}]: {what}")));
+    }
+    if !history.frictionless_ran() {
+        out.push("no row of history has the program behind the bound without friction".to_owned());
     }
     let best = claimed.history.len().checked_sub(1).map(|last| history.best(last));
     let as_found = |b: &SoFar| near(b.lower, found.lower) && near_upper(b.upper, found.upper);
@@ -172,6 +179,28 @@ impl History<'_> {
                     && near_upper(claimed.upper, best.upper)
                     && near_gap(claimed.gap, best.gap));
         (!agrees).then_some("so_far does not have the best bounds of the rows so far")
+    }
+
+    /// True if an earlier row has the mesh and the bounds of row `i`. No mesh is solved twice, and
+    /// two meshes with the same number of tetrahedra do not have the same digits. Bounds of zero
+    /// and without limit do not depend on the mesh.
+    fn repeats(&self, i: usize) -> bool {
+        let rows = &self.claimed.history;
+        let row = &rows[i];
+        let finite = row.upper.and_then(Upper::finite);
+        let of_mesh = [row.lower, finite].into_iter().flatten().any(|bound| bound != 0.0);
+        let same = |r: &HistoryRow| {
+            (r.macro_tets, r.lower, r.upper) == (row.macro_tets, row.lower, row.upper)
+        };
+        of_mesh && rows[..i].iter().any(same)
+    }
+
+    /// True if a row has the program that proves the bound without friction. A load factor of zero
+    /// needs none.
+    fn frictionless_ran(&self) -> bool {
+        let lower = self.found.frictionless.and_then(|f| f.lower);
+        let mut rows = self.claimed.history.iter();
+        lower.is_none_or(|l| l == 0.0) || rows.any(|r| r.static_frictionless.is_some())
     }
 
     /// The programs whose bounds are asked for have run: whether a result is certified depends on

@@ -13,6 +13,9 @@ pub(super) const TOO_LARGE: &str = "more than a million values";
 pub(super) const TAGGED: &str = "tagged value";
 /// Number of values that a document may contain after aliases are expanded.
 const BUDGET: usize = 1_000_000;
+/// Most bytes of one text. Names and titles stand in every table and picture of a report, and a
+/// page is set a text at a time.
+pub(super) const LONGEST: usize = 10_000;
 
 /// A document reduced to its keys and its numbers.
 #[derive(Debug)]
@@ -25,6 +28,8 @@ pub(super) enum Outline {
     NotFinite,
     /// A key without value.
     Nothing,
+    /// A text of more than [`LONGEST`] bytes, with their number.
+    Long(usize),
     /// Any other value.
     Other,
 }
@@ -36,7 +41,8 @@ impl Outline {
         Seed(&left).deserialize(serde_yaml::Deserializer::from_str(text))
     }
 
-    /// Adds a fault for each duplicate key and each non-finite number, in file order.
+    /// Adds a fault for each duplicate key, each non-finite number and each text that is too long, in
+    /// file order.
     pub(super) fn faults(&self, index: &PlaceIndex, text: &str, faults: &mut Vec<Diagnostic>) {
         self.walk("", index, text, faults);
     }
@@ -87,6 +93,13 @@ impl Outline {
                     d.help("write a finite number; leave the key out where a limit is absent"),
                 );
             }
+            Outline::Long(bytes) => {
+                let message =
+                    format!("`{path}` is a text of {bytes} bytes, at most {LONGEST} are read");
+                let mut d = Diagnostic::input("yaml/long-text", message);
+                d.place = index.place(path);
+                faults.push(d.help("shorten it; names and titles have some dozen characters"));
+            }
             Outline::Nothing | Outline::Other => {}
         }
     }
@@ -135,8 +148,8 @@ impl<'de> Visitor<'de> for Seed<'_> {
     fn visit_f64<E>(self, x: f64) -> Result<Outline, E> {
         Ok(if x.is_finite() { Outline::Other } else { Outline::NotFinite })
     }
-    fn visit_str<E>(self, _: &str) -> Result<Outline, E> {
-        Ok(Outline::Other)
+    fn visit_str<E>(self, text: &str) -> Result<Outline, E> {
+        Ok(if text.len() > LONGEST { Outline::Long(text.len()) } else { Outline::Other })
     }
     fn visit_unit<E>(self) -> Result<Outline, E> {
         Ok(Outline::Nothing)

@@ -230,6 +230,17 @@ fn deep_nesting_is_refused_before_it_is_read() {
     }
 }
 
+/// A report sets a name of 100 000 characters in 18 s.
+#[test]
+fn a_long_text_is_refused() {
+    let text = |n: usize| format!("title: a\nbolts: [{{size: {}, rows: []}}]\n", "x".repeat(n));
+    assert!(read(&text(10_000)).is_ok());
+    let fault = read(&text(10_001)).expect_err("too long").into_first();
+    assert_eq!((fault.code, fault.place.line), ("yaml/long-text", Some(2)));
+    let message = "`bolts[0].size` is a text of 10001 bytes, at most 10000 are read";
+    assert_eq!(fault.message, message);
+}
+
 #[test]
 fn a_long_list_is_not_blamed_on_aliases() {
     let list = |entry: &str| format!("title: a\nsizes: [{}]\n", entry.repeat(1_100_000));
