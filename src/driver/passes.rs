@@ -88,7 +88,7 @@ impl Passes<'_> {
             row.seconds = Some(mesh_seconds.unwrap_or(0.0) + start.elapsed().as_secs_f64());
             row.predicted = predicted.map(|p| Predicted {
                 macro_tets: p.tets.round() as usize,
-                gap: p.gap,
+                gap: Some(p.gap).filter(|gap| gap.is_finite()),
                 seconds: p.seconds,
             });
         }

@@ -193,10 +193,10 @@ impl Passes<'_> {
              {}",
             *last + 1,
             fixed(present.tets as f64, 0, Rounding::Nearest),
-            percent_up(best_gap),
+            gap_words(best_gap),
             whose(track.bounds),
             fixed(p.tets, 0, Rounding::Nearest),
-            percent_up(of_bracket),
+            gap_words(of_bracket),
             about(p.seconds)
         ));
         let order = plan::order(&track.steps, p.tets);
@@ -262,4 +262,9 @@ fn whose(bounds: Bounds) -> &'static str {
         Bounds::Static => " of the lower bound",
         Bounds::Kinematic => " of the upper bound",
     }
+}
+
+/// A gap for the log. It is open while a bound is missing or the lower bound is zero.
+fn gap_words(gap: f64) -> String {
+    if gap.is_finite() { percent_up(gap) } else { "open".into() }
 }

@@ -71,8 +71,9 @@ pub struct Predicted {
     /// Tetrahedra.
     pub macro_tets: usize,
     /// Relative gap of this mesh's bounds, a fraction. For a mesh made for one bound: of the best
-    /// bounds with this one.
-    pub gap: f64,
+    /// bounds with this one. Absent where no bracket is expected.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub gap: Option<f64>,
     /// Wall time of everything on this mesh \[s\].
     pub seconds: f64,
 }

@@ -78,7 +78,7 @@ pub fn study_rows(meshes: Meshes, solver: &str, entry: &CaseResult) -> Vec<Row> 
             lower: so_far.lower,
             upper: so_far.upper.and_then(Upper::finite),
             gap: so_far.gap,
-            expected_gap: h.predicted.map(|p| p.gap),
+            expected_gap: h.predicted.and_then(|p| p.gap),
             seconds,
             total_seconds: total,
             peak_memory_mib: h.peak_memory_mib,

@@ -1,7 +1,7 @@
 //! Adaptive meshes from the command line: the target gap, every limit, the files in the result
 //! folder, and `bracket study`.
 
-use crate::bench::{Want, refusal};
+use crate::bench::{Bench, Want, refusal};
 use crate::{MODEL, bench, expect, opening};
 use serde_json::Value;
 
@@ -174,4 +174,27 @@ fn wrong_options_of_a_study_are_refused() {
     let wrong: Vec<_> =
         results.into_iter().filter_map(|(args, talk)| Some((args, talk?))).collect();
     assert!(wrong.is_empty(), "{wrong:#?}");
+}
+
+/// The stresses of the first mesh carry nothing: its lower bound is zero, and its gap has no value.
+/// No forecast of a gap follows from that, and the run keeps its bounds.
+#[test]
+fn meshes_without_a_bracket_are_kept() {
+    let model = "mesh: m.msh\nanalysis: limit\nmaterials: {s: {E: 10100, nu: 0.341, fy: 22.3}}\n\
+                 bodies: {A: s, B: s, C: s}\ninterfaces: [{between: [A, B], law: contact, mu: 0}]\n\
+                 supports: [{face: Z0, fix: [x, y, z]}, {face: X0, fix: [x]}, {face: Y0, fix: \
+                 [y]}]\nloads: [{face: X1, traction: [1.2974, 0, 0]}]\nadapt: {target_gap: 0.01, \
+                 max_passes: 3, max_macro_tets: 600}\n";
+    let mesh = include_str!("../data/open_gap.msh");
+    let b = Bench::new().file("block.yaml", model).file("m.msh", mesh);
+    let (_, talk) = expect(&b, &["analyse", "block.yaml"], 0);
+    assert!(talk.contains("gap open"), "{talk}");
+    let c = case(&b.read("block/result.json"));
+    let history = c["history"].as_array().expect("rows");
+    assert!(c["upper"].is_f64() && history[0]["lower"] == 0.0 && history.len() > 1, "{c}");
+    for text in [talk, b.read("block/report.md")] {
+        let words = text.split(|l: char| !l.is_alphanumeric());
+        assert!(words.into_iter().all(|w| w != "NaN" && w != "inf"), "{text}");
+    }
+    expect(&b, &["verify", "block"], 0);
 }

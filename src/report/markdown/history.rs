@@ -103,7 +103,7 @@ fn expectations(page: &mut String, case: &CaseResult) {
                 (i + 1).to_string(),
                 count(Some(p.macro_tets)),
                 count(Some(h.macro_tets)),
-                percent_up(p.gap),
+                p.gap.map_or_else(dash, percent_up),
                 resulting(h).map_or_else(dash, percent_up),
                 seconds(Some(p.seconds)),
                 seconds(h.seconds),

@@ -69,19 +69,21 @@ pub fn sheet(data: &ReportData, words: &Words, extent: Extent, paper: Paper) -> 
 /// M_j,Rd and the stiffness of the joint for each sense of bending.
 fn joint_values(checks: &[Check]) -> Table {
     const MOMENT: &str = "moment resistance of the joint";
+    const COLUMNS: [&str; 4] =
+        ["sense of bending", "moment resistance", "initial stiffness", "for elastic analysis"];
     let row = |moment: &Check| {
         let value = |title: &str| {
             let mut mine = checks.iter().filter(|c| c.subject == moment.subject);
             let found = mine.find(|c| c.title == title);
-            found
-                .map_or_else(|| "–".into(), |c| c.resistance.map_or("–".into(), |v| c.unit.show(v)))
+            let shown = found.and_then(|c| c.resistance.map(|v| c.unit.show(v)));
+            shown.unwrap_or_else(|| "–".into())
         };
         let titles =
             [MOMENT, "initial rotational stiffness", "rotational stiffness for elastic analysis"];
         std::iter::once(moment.subject.clone()).chain(titles.map(value)).collect()
     };
     Table {
-        columns: ["sense of bending", "M_j,Rd", "S_j,ini", "S_j,ini/η"].map(String::from).into(),
+        columns: COLUMNS.map(String::from).into(),
         rows: checks.iter().filter(|c| c.title == MOMENT).map(row).collect(),
     }
 }

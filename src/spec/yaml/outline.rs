@@ -41,8 +41,8 @@ impl Outline {
         Seed(&left).deserialize(serde_yaml::Deserializer::from_str(text))
     }
 
-    /// Adds a fault for each duplicate key, each non-finite number and each text that is too long, in
-    /// file order.
+    /// Adds a fault for each duplicate key, each non-finite number and each text that is too long,
+    /// in file order.
     pub(super) fn faults(&self, index: &PlaceIndex, text: &str, faults: &mut Vec<Diagnostic>) {
         self.walk("", index, text, faults);
     }
