@@ -84,16 +84,16 @@ class Case:
     def run(self, *args, limit=120, documented=DOCUMENTED, **more):
         """Runs the program to its end. What no command may ever do is a fault at once."""
         outcome = self.start(*args, **more).wait(limit)
-        self.judge_end(outcome, limit, documented)
+        self.judge_end(outcome, documented)
         return outcome
 
-    def judge_end(self, outcome, limit, documented=DOCUMENTED):
+    def judge_end(self, outcome, documented=DOCUMENTED):
         what = " ".join(map(str, outcome.args))
         words = next((w for w in PANIC if w in outcome.err), None)
         if words:
             self.fault("panic", f"{what}: {outcome.err.strip()[:600]}")
         if outcome.timed_out:
-            self.fault("too slow", f"{what}: not ended after {limit} s")
+            self.fault("too slow", f"{what}: not ended after {outcome.seconds:.0f} s")
         elif outcome.code not in documented:
             self.fault("exit code", f"{what}: {outcome.code}: {outcome.err.strip()[:400]}")
         if outcome.orphans:

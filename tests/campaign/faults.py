@@ -172,8 +172,7 @@ def interrupt(case, r):
     wait(running, delay)
     number = r.choice([signal.SIGTERM, signal.SIGINT, signal.SIGHUP])
     running.send(number)
-    limit = prompt()
-    outcome = running.wait(limit)
+    outcome = running.wait(prompt())
     what = f"{number.name} to {name} after {delay:.3f} s"
     case.note(f"{what}: exit {outcome.code}")
     # before its handlers stand and in commands that end at once a signal just ends the process
@@ -181,7 +180,7 @@ def interrupt(case, r):
     if early:
         case.count("ended by the signal itself")
     else:
-        case.judge_end(outcome, limit)
+        case.judge_end(outcome)
     if outcome.code == 2:
         case.fault("exit code", f"{what}: exit 2: {outcome.message()}")
     parts = case.parts()
@@ -203,7 +202,7 @@ def two(case, r):
     wait(first, r.uniform(0, seconds))
     second = case.start(*COMMAND[name], "-q", "--threads", "1")
     for outcome in (first.wait(120), second.wait(120)):
-        case.judge_end(outcome, 120)
+        case.judge_end(outcome)
         if outcome.code in (2, 4) and "error" not in outcome.err:
             case.fault("no error said", f"two at once, {name}: exit {outcome.code}")
         if outcome.code in (2, 4):
@@ -363,7 +362,7 @@ def deleted(case, r):
             if error.errno != errno.ENOTEMPTY:
                 raise
     outcome = running.wait(60)
-    case.judge_end(outcome, 60)
+    case.judge_end(outcome)
     what = f"{name} in a folder that was deleted"
     case.note(f"{what}: exit {outcome.code}: {outcome.message()}")
     case.count(f"deleted: exit {outcome.code}")

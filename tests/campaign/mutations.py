@@ -110,7 +110,7 @@ def run(case):
         # what is left of the sweep is valid and asks for analyses
         case.count("sweep that analyses")
         return
-    case.judge_end(outcome, SECONDS)
+    case.judge_end(outcome)
     case.note(f"{kind}: {names} in {path.name}: exit {outcome.code}, {outcome.seconds:.1f} s")
     case.count(f"{kind}: exit {outcome.code}")
     what = f"{kind} {names}"
