@@ -46,6 +46,7 @@ fn with_events(run: impl FnOnce(&Progress) -> EnergyPass) -> (EnergyPass, Vec<St
             Event::Refused(r) => format!("refused {} {}", r.needed, r.room.bytes),
             Event::Solve { forecast } => format!("solve {}", forecast.is_some()),
             Event::Iteration(_) => return,
+            Event::HandOver { bytes } => format!("hand over {bytes}"),
             Event::Tightening => "tightening".into(),
             Event::ConeShift { .. } => "slips".into(),
             Event::Certify => "certify".into(),
@@ -175,6 +176,20 @@ fn a_program_that_waits_checks_the_free_memory_again() {
     );
     let (pass, _) = in_rooms(&model, Limit::Asked(1 << 30), &[s, k]);
     assert_eq!(bounds(&pass), [true, true]);
+}
+
+/// Clarabel takes over from a solver without an answer where it has its memory.
+#[test]
+fn clarabel_takes_over_within_the_memory() {
+    let handed = |room: u64| {
+        let mut options = rooms(Limit::Asked(1 << 40), &[1 << 40, room]);
+        options.solve.max_iterations = 2;
+        let (pass, words) = with_events(|p| elastic::run(&on_ground(), &options, p).expect("runs"));
+        let said = |run: &str| words.iter().any(|w| w.starts_with(&format!("{run} hand over")));
+        (both(&pass).map(|r| r.handed_over > 0), [said("kinematic"), said("static")])
+    };
+    assert_eq!(handed(1 << 40), ([true; 2], [true; 2]));
+    assert_eq!(handed(1), ([false; 2], [false; 2]));
 }
 
 #[test]

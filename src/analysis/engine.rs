@@ -19,7 +19,8 @@ use crate::solve::SolveOptions;
 use crate::solve::SolveStatus;
 use crate::solve::allocator;
 use crate::solve::feasibility;
-use crate::solve::status::Iterations;
+use crate::solve::status::{HandOver, Iterations};
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Instant;
 
@@ -190,6 +191,7 @@ impl Context<'_> {
             solve_seconds: start.elapsed().as_secs_f64(),
             certify_seconds: 0.0,
             forecast,
+            handed_over: 0,
             trace: Vec::new(),
             refusal: None,
             yielding: problem.yielding(),
@@ -305,10 +307,25 @@ impl Context<'_> {
             kept.lock().unwrap_or_else(PoisonError::into_inner).push(i);
             progress(P::PROGRAM, Event::Iteration(&i));
         });
+        let handed_over = Arc::<AtomicU64>::default();
+        let (kept, progress, room) =
+            (handed_over.clone(), self.progress.clone(), self.options.room.clone());
+        let hand_over: HandOver = Arc::new(move |bytes| {
+            let fits = room().is_none_or(|r| r.bytes >= bytes);
+            if fits {
+                kept.fetch_max(bytes, Ordering::Relaxed);
+                progress(P::PROGRAM, Event::HandOver { bytes });
+            }
+            fits
+        });
         let given = &self.options.solve;
         let left = (given.time_limit - self.start.elapsed().as_secs_f64()).max(0.0);
-        let mut options =
-            SolveOptions { progress: Some(report), time_limit: left, ..problem.accuracy(given) };
+        let mut options = SolveOptions {
+            progress: Some(report),
+            hand_over: Some(hand_over),
+            time_limit: left,
+            ..problem.accuracy(given)
+        };
         let program = problem.base().conic();
         let mut solution = back_from(origin, prepared.solve_first(&options));
         outcome.iterations = solution.iterations;
@@ -327,6 +344,7 @@ impl Context<'_> {
         drop(prepared);
         allocator::give_back();
         if stalled(solution.status) {
+            options.time_limit = (left - start.elapsed().as_secs_f64()).max(0.0);
             let modes = problem.contact_modes(self.model);
             let direction = || feasibility::direction(program, &modes, &options);
             if let Some(x) = (!modes.is_empty()).then(direction).flatten() {
@@ -337,6 +355,7 @@ impl Context<'_> {
             }
         }
         outcome.status = solution.status;
+        outcome.handed_over = handed_over.load(Ordering::Relaxed);
         outcome.solve_seconds += start.elapsed().as_secs_f64();
         outcome.trace = std::mem::take(&mut *trace.lock().unwrap_or_else(PoisonError::into_inner));
         solution

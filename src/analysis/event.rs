@@ -34,6 +34,11 @@ pub enum Event<'a> {
     },
     /// The next iterate of the solver.
     Iteration(&'a Iteration),
+    /// The solver ended without an answer, and Clarabel takes over.
+    HandOver {
+        /// Memory that it needs at most \[bytes\].
+        bytes: u64,
+    },
     /// Preload: both programs tighten the bolts before the loads act.
     Tightening,
     /// Coulomb friction: it is solved again with its contact cones shifted by the slips so far.

@@ -34,6 +34,8 @@ pub struct ProgramOutcome {
     pub certify_seconds: f64,
     /// Expected cost of the solve; `None` where the solver gives no forecast.
     pub forecast: Option<Forecast>,
+    /// Memory that Clarabel needed at most \[bytes\], where it took over; otherwise 0.
+    pub handed_over: u64,
     /// Every iteration, seconds counted from the start of the solve. The numbers start again where
     /// another solver took over or another problem of a sequence began.
     pub trace: Vec<Iteration>,

@@ -34,7 +34,7 @@ pub(crate) fn program_run(run: &ProgramOutcome) -> history::ProgramRun {
         solve_seconds: Some(run.solve_seconds),
         peak_memory_mib: None,
         factor_entries: run.forecast.map(|f| f.factor_entries),
-        forecast_memory_mib: run.forecast.map(|f| f.bytes.div_ceil(1 << 20)),
+        forecast_memory_mib: run.forecast.map(|f| f.bytes.max(run.handed_over).div_ceil(1 << 20)),
         forecast_seconds: run.forecast.map(|f| f.seconds),
         trace: run.trace.iter().map(trace_row).collect(),
     }

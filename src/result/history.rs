@@ -106,7 +106,8 @@ pub struct ProgramRun {
     /// Nonzeros of the sparse factor.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub factor_entries: Option<usize>,
-    /// Forecast of the memory of the solve \[MiB\].
+    /// Forecast of the memory of the solve \[MiB\]; where Clarabel took over, the memory that it
+    /// was granted.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub forecast_memory_mib: Option<u64>,
     /// Forecast of the time of the solve \[s\].

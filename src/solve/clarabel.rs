@@ -1,5 +1,5 @@
-//! Clarabel (homogeneous embedding, Nesterov–Todd scaling) as the conic solver, with its faer
-//! kernels.
+//! Clarabel (homogeneous embedding, Nesterov–Todd scaling) as the conic solver, with the kernels of
+//! faer where the feature `faer-sparse` is on.
 //!
 //! Clarabel minimises. A saddle `½ xᵀPx + qᵀx + yᵀ(E x − b) − ½ yᵀFy`, with y maximised, becomes
 //! `min ½ xᵀPx + qᵀx + ½ yᵀFy` subject to `E x − F y = b`. With w the multiplier of these
@@ -52,7 +52,7 @@ fn solve_explicit(program: &Explicit, options: &SolveOptions) -> Solution {
         tol_feas: residual,
         // sequential: deterministic, and the two programs run side by side
         max_threads: 1,
-        direct_solve_method: "faer".into(),
+        direct_solve_method: if cfg!(feature = "faer-sparse") { "faer" } else { "qdldl" }.into(),
         presolve_enable: false,
         ..DefaultSettings::default()
     };

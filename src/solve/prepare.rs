@@ -81,7 +81,7 @@ impl Prepared<'_> {
     /// Solves the program.
     ///
     /// A program without cones is solved as a linear system. When the condensed method ends without
-    /// an answer and memory allows, Clarabel solves it.
+    /// an answer and memory and time allow, Clarabel solves it in the time that is left.
     pub fn solve(mut self, options: &SolveOptions) -> Solution {
         self.run(None, options)
     }
@@ -98,7 +98,8 @@ impl Prepared<'_> {
     }
 
     fn run(&mut self, offsets: Option<&[f64]>, options: &SolveOptions) -> Solution {
-        let start = self.start;
+        let (start, begun) = (self.start, Instant::now());
+        let left = || options.time_limit - begun.elapsed().as_secs_f64();
         let solution = match &mut self.method {
             Method::Linear(factor) => match factor.refactor(&self.program.p) {
                 Ok(()) => Some(linear_solution(self.program, factor)),
@@ -123,24 +124,33 @@ impl Prepared<'_> {
                 } else {
                     CLARABEL_MEMORY_YIELDING
                 };
-                let fits = available_memory().is_none_or(|there| there / times > bytes);
-                (answered || !fits).then_some(solution)
+                let taken_over = !answered && left() > 0.0 && may_have(bytes * times, options);
+                (!taken_over).then_some(solution)
             }
             Method::Clarabel => None,
         };
         let solution = solution.unwrap_or_else(|| {
             // frees the factor of the condensed method
             self.method = Method::Clarabel;
+            let options = SolveOptions { time_limit: left().max(0.0), ..options.clone() };
             match offsets {
                 Some(h) => clarabel::solve(
                     &ConicProgram { h: h.to_vec(), ..self.program.clone() },
-                    options,
+                    &options,
                 ),
-                None => clarabel::solve(self.program, options),
+                None => clarabel::solve(self.program, &options),
             }
         });
         // the preparation and a failed attempt count as well
         Solution { seconds: start.elapsed().as_secs_f64(), ..solution }
+    }
+}
+
+/// True if Clarabel may take over with this memory \[bytes\].
+fn may_have(bytes: u64, options: &SolveOptions) -> bool {
+    match &options.hand_over {
+        Some(ask) => ask(bytes),
+        None => available_memory().is_none_or(|there| there > bytes),
     }
 }
 
@@ -164,4 +174,75 @@ fn linear_solution(program: &ConicProgram, factor: &SparseCholesky) -> Solution 
 fn failed(program: &ConicProgram) -> Solution {
     let (x, z) = (vec![0.0; program.unknowns()], vec![0.0; program.h.len()]);
     Solution { status: SolveStatus::NumericalError, x, z, iterations: 0, seconds: 0.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::programs::conic::{Cone, Csr, SymmetricCsc};
+    use std::sync::Arc;
+    use std::sync::atomic::{AtomicU64, Ordering};
+    use std::time::Duration;
+
+    /// The nearest point of a cone to (0, 3, 4).
+    fn program() -> ConicProgram {
+        let mut g = Csr { ncols: 3, ..Csr::default() };
+        (0..3).for_each(|i| g.push_row(&[(i, 1.0)]));
+        let (col_ptr, row_idx) = ((0..=3).collect(), (0..3).collect());
+        ConicProgram {
+            p: SymmetricCsc { n: 3, col_ptr, row_idx, values: vec![1.0; 3] },
+            q: vec![0.0, -3.0, -4.0],
+            g,
+            h: vec![0.0; 3],
+            cones: vec![Cone::SecondOrder(3)],
+            ..ConicProgram::default()
+        }
+    }
+
+    /// Options with which no method gets to its end, and who is asked for memory.
+    fn cut_short(
+        time_limit: f64,
+        answer: impl Fn() -> bool + Send + Sync + 'static,
+    ) -> (SolveOptions, Arc<AtomicU64>) {
+        let asked = Arc::<AtomicU64>::default();
+        let note = asked.clone();
+        let hand_over = Some(Arc::new(move |bytes| {
+            note.store(bytes, Ordering::Relaxed);
+            answer()
+        }) as _);
+        (
+            SolveOptions { max_iterations: 2, time_limit, hand_over, ..SolveOptions::default() },
+            asked,
+        )
+    }
+
+    #[test]
+    fn clarabel_takes_over_with_the_memory_that_was_granted() {
+        let program = program();
+        let bytes = prepare(&program, &[0, 1, 2], &SolveOptions::default()).forecast();
+        let bytes = bytes.expect("a forecast").bytes;
+        let (options, asked) = cut_short(f64::INFINITY, || false);
+        let own = solve(&program, &[0, 1, 2], &options);
+        assert_eq!((own.status, own.iterations), (SolveStatus::IterationLimit, 2));
+        assert_eq!(asked.load(Ordering::Relaxed), CLARABEL_MEMORY * bytes);
+        let (options, _) = cut_short(f64::INFINITY, || true);
+        let theirs = solve(&program, &[0, 1, 2], &options);
+        assert_eq!(theirs.status, SolveStatus::IterationLimit);
+        assert!(own.x != theirs.x, "Clarabel's point differs: {:?}", theirs.x);
+        // with iterations enough no one is asked
+        let (options, asked) = cut_short(f64::INFINITY, || false);
+        let all = solve(&program, &[0, 1, 2], &SolveOptions { max_iterations: 100, ..options });
+        assert_eq!((all.status, asked.load(Ordering::Relaxed)), (SolveStatus::Optimal, 0));
+    }
+
+    #[test]
+    fn clarabel_has_the_time_that_is_left() {
+        let slow = || {
+            std::thread::sleep(Duration::from_millis(300));
+            true
+        };
+        let (options, _) = cut_short(0.3, slow);
+        let solution = solve(&program(), &[0, 1, 2], &options);
+        assert_eq!(solution.status, SolveStatus::TimeLimit);
+    }
 }

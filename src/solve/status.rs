@@ -82,6 +82,10 @@ pub struct Iteration {
 /// Receiver of the reports, called at every iteration.
 pub type Iterations = Arc<dyn Fn(&Iteration) + Send + Sync>;
 
+/// Called when a solve is handed to Clarabel, with the memory that it needs at most \[bytes\]; true:
+/// it may have them.
+pub type HandOver = Arc<dyn Fn(u64) -> bool + Send + Sync>;
+
 /// Which method solves the conic programs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Solver {
@@ -131,6 +135,8 @@ pub struct SolveOptions {
     pub time_limit: f64,
     /// Receives a report of every iteration.
     pub progress: Option<Iterations>,
+    /// Decides whether Clarabel takes over; `None`: where the memory of the machine allows it.
+    pub hand_over: Option<HandOver>,
     /// Set by the caller to end the solve at the next iteration.
     pub interrupt: Option<Arc<AtomicBool>>,
     /// Known orderings and symbolic factors; clones of these options share them.
@@ -169,6 +175,7 @@ impl Default for SolveOptions {
             max_iterations: 100,
             time_limit: f64::INFINITY,
             progress: None,
+            hand_over: None,
             interrupt: None,
             patterns: Patterns::default(),
         }

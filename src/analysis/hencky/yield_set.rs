@@ -76,6 +76,7 @@ impl<A> Side<A> {
             solve_seconds: earlier.solve_seconds + outcome.solve_seconds,
             certify_seconds: earlier.certify_seconds + outcome.certify_seconds,
             rounds: earlier.rounds + 1,
+            handed_over: earlier.handed_over.max(outcome.handed_over),
             trace,
             ..outcome
         });

@@ -58,6 +58,10 @@ pub fn note(log: &Log, case: &str, tolerance: f64, program: Program, event: Even
                 &format!("iteration {number}, gap {gap:.0e}, residual {residual:.0e}"),
             );
         }
+        Event::HandOver { bytes } => log.line(format!(
+            "{case}: {name} program: no answer, and Clarabel takes over, with at most {} of memory",
+            gib(bytes, Rounding::Up)
+        )),
         Event::Tightening => log.line(format!("{case}: the bolts are tightened first")),
         Event::ConeShift { solves, change } => log.line(format!(
             "{case}: {name} program once more, cones shifted by its slips: solve {solves} changed \
