@@ -133,6 +133,14 @@ impl EndPlate {
         out
     }
 
+    /// Name of a load case: with the member end where actions stand at several ends.
+    pub fn case_name(&self, a: &PlaneActions) -> String {
+        match self.actions.iter().any(|other| other.end != a.end) {
+            true => format!("{}, {}", a.case, a.end),
+            false => a.case.clone(),
+        }
+    }
+
     /// Number of bolts of one end plate.
     pub fn bolt_count(&self) -> usize {
         self.rows.len() * self.columns().len()

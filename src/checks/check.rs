@@ -163,6 +163,11 @@ pub struct Check {
 }
 
 impl Check {
+    /// The check with a title and a subject.
+    pub fn find<'a>(checks: &'a [Check], title: &str, subject: &str) -> Option<&'a Check> {
+        checks.iter().find(|c| c.title == title && c.subject == subject)
+    }
+
     /// A check for which the code gives no resistance, with the reason.
     pub fn undecided(
         topic: Topic,

@@ -138,6 +138,13 @@ fn write(
     folder.write("result.json", json.as_bytes())?;
     folder.write(REPORT_DATA_FILE, data.to_json()?.as_bytes())?;
     let words = data.words();
+    // page and PDF translate a drawing when they are made; report.md links to a file
+    for picture in data.drawings.iter().chain(&data.pictures) {
+        let Some(name) = words.file(&picture.file) else { continue };
+        if let Some(bytes) = printed::picture(folder.path(), &picture.file, &words) {
+            folder.write(&name, &bytes)?;
+        }
+    }
     let report = report_markdown(&data, &words);
     folder.write("report.md", report.as_bytes())?;
     let mut scene = analyses.scene;

@@ -1,7 +1,7 @@
 //! The context of a connection spec: title block, resolved values, catalogue rows, drawings.
 
-use crate::assembly::Assembly;
 use crate::assembly::assembly::{FaceSupport, PartMaterial, PartRole, Surface};
+use crate::assembly::{Assembly, EndPlate};
 use crate::checks::check::number;
 use crate::checks::end_plate::{moment_axial, parts_list, stocked_length, welds_list};
 use crate::checks::{HandChecks, hand_checks};
@@ -17,7 +17,8 @@ use crate::report::markdown::report_data::PictureRef;
 use crate::report::markdown::report_data::ResolvedValue;
 use crate::report::markdown::report_data::Table;
 use crate::report::markdown::schedule;
-use crate::spec::connection::ConnectionSpec;
+use crate::report::words::Words;
+use crate::spec::connection::{ConnectionSpec, Language};
 use crate::spec::loads::ActionPoint;
 use crate::spec::yaml;
 use serde_json::json;
@@ -66,7 +67,7 @@ pub fn spec_context(
         plane_actions: plane_actions(input),
         rotation: end_plate.map_or_else(Default::default, moment_rotation::Frame::of),
         drawings: drawings(input),
-        plate_dxf: end_plate.map(|e| dxf::end_plate(e, plates(input))),
+        plate_dxf: end_plate.map(|e| plate_dxf(e, plates(input), project.language)),
         supports: supports(&input.joint.assembly),
         schedule: end_plate
             .map_or_else(Default::default, |e| schedule::schedule(&parts_list(e, plates(input)))),
@@ -126,6 +127,12 @@ fn drawings(input: &SpecFile) -> Vec<(PictureRef, String)> {
         out.push(picture("actions.svg", caption, drawing::actions(e)));
     }
     out
+}
+
+/// The end plate for the workshop. The names of steel and bolt stay as the catalogue has them.
+fn plate_dxf(e: &EndPlate, pieces: usize, language: Language) -> String {
+    let names = [e.plate_steel.grade.clone(), e.bolt.size.clone()];
+    dxf::end_plate(e, pieces, &Words::new(language, names))
 }
 
 /// The actions at the bolt planes, where the spec gives them elsewhere.

@@ -361,7 +361,8 @@ def deleted(case, r):
             # a file was written meanwhile
             if error.errno != errno.ENOTEMPTY:
                 raise
-    outcome = running.wait(60)
+    # the adaptive analysis may go on to its end
+    outcome = running.wait(200)
     case.judge_end(outcome)
     what = f"{name} in a folder that was deleted"
     case.note(f"{what}: exit {outcome.code}: {outcome.message()}")

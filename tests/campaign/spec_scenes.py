@@ -14,6 +14,7 @@ class Catalogue:
         self.grades = program.json("catalog", "list", "bolt-grades")
         steels = program.json("catalog", "list", "steels")
         self.steels = [f"{s['standard']} {s['grade']}" for s in steels]
+        self.not_fillet_welded = {n for n, s in zip(self.steels, steels) if not s.get("beta_w")}
         annexes = program.json("catalog", "list", "annexes")
         self.annexes = [a["annex"] for a in annexes if "annex" in a]
         self.templates = {t["name"]: t for t in program.json("templates")}
@@ -282,6 +283,7 @@ def draw(r, catalogue):
     else:
         section = to_column(r, catalogue, spec, name)
     common(r, catalogue, spec)
+    without_fillet_welds(spec, catalogue)
     ends = [
         e for e in template["ends"]
         if e["name"] != "beam_left" or spec["parameters"].get("double_sided")
@@ -293,6 +295,14 @@ def draw(r, catalogue):
         section = r.choice(["column_top", "column_top", "beam_right_end"])
         spec["loads"] = [{"name": "TOP", "section": section, "pressure": f"{r.randint(5, 60)} MPa"}]
     return spec
+
+
+def without_fillet_welds(spec, catalogue):
+    """Butt welds in place of fillet welds, where a steel has no strength in fillet welds."""
+    used = [m["steel"] for m in spec["members"].values()] + [spec.get("plate", {}).get("steel")]
+    if catalogue.not_fillet_welded.intersection(used):
+        for name in ("flange_weld", "web_weld", "stiffener_weld", "rib_weld"):
+            spec["parameters"].pop(name, None)
 
 
 def text(spec, flow=False):

@@ -41,3 +41,27 @@ fn ezdxf_reads_plate_and_holes() {
     let bytes = std::fs::read(file).expect("read");
     assert!(bytes.is_ascii());
 }
+
+/// The note is in the language of the spec, and in ASCII.
+#[test]
+fn the_note_of_a_german_plate_is_german() {
+    let spec = "project: {language: de}\ntemplate: beam_splice\nmembers: {beam: {profile: IPE270, \
+                steel: S235}}\nplate: {thickness: 15, width: 135, z: [-150, 150]}\nbolts: {size: \
+                M16, grade: \"8.8\", gauge: 76, rows: [-85, 85]}\n";
+    let bench = Bench::new().file("joint.yaml", spec);
+    expect(&bench, &["check", "joint.yaml", "--out", "r"], 0);
+    let dxf = bench.read("r/end_plate.dxf");
+    assert!(dxf.is_ascii());
+    for note in [
+        "Stirnplatte 15 x 135 x 300 S235, 2 Stueck",
+        "4 Loecher 18 mm fuer Schrauben M16",
+        "alle Abmessungen in mm, Ursprung in der Traegerachse",
+    ] {
+        assert!(dxf.contains(&format!("\r\n{note}\r\n")), "{note}: {dxf}");
+    }
+    // report.md shows the drawings with German texts
+    let (report, english) = (bench.read("r/report.md"), bench.read("r/drawing.svg"));
+    assert!(report.contains("](drawing.de.svg)"), "{report}");
+    let german = bench.read("r/drawing.de.svg");
+    assert!(german.contains("Stirnplatte") && english.contains("end plate"), "{german}");
+}

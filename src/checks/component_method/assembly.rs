@@ -4,7 +4,7 @@ use super::column_web::{self, CompressedWeb, ShearPanel};
 use super::joint::{Column, EndPlateJoint};
 use super::rows::{Component, Rows};
 use super::t_stub::Mode;
-use super::{beam, stiffness};
+use super::{MOMENT_RESISTANCE, beam, stiffness};
 use crate::checks::check::{Unit, number};
 use crate::checks::error::CheckError;
 use crate::checks::eurocode::section::{Class, epsilon};
@@ -244,8 +244,7 @@ fn moment(rows: &[RowForce]) -> Worked {
         .map(|r| format!("{} · {}", Unit::Force.show(r.force), Unit::Length.show(r.lever)))
         .collect();
     let formula = format!("M_j,Rd = Σ h_r F_tr,Rd = {}", terms.join(" + "));
-    let title = "moment resistance of the joint";
-    Worked::new("EN 1993-1-8:2005 6.2.7.2(1)", title, value, Unit::Moment, formula)
+    Worked::new("EN 1993-1-8:2005 6.2.7.2(1)", MOMENT_RESISTANCE, value, Unit::Moment, formula)
 }
 
 /// The column web panel; `None` without a column or where β = 0.

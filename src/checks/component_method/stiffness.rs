@@ -1,8 +1,8 @@
 //! Rotational stiffness: EN 1993-1-8:2005 6.3.
 
-use super::column_web;
 use super::joint::EndPlateJoint;
 use super::rows::Rows;
+use super::{ELASTIC_STIFFNESS, INITIAL_STIFFNESS, column_web};
 use crate::checks::check::{Unit, number as n};
 use crate::checks::error::CheckError;
 use crate::checks::worked::Worked;
@@ -131,9 +131,13 @@ pub fn initial(joint: &EndPlateJoint, rows: &Rows<'_>) -> Result<Stiffness, Chec
         n(lever),
         terms.join(" + ")
     );
-    let title = "initial rotational stiffness";
-    let mut worked =
-        Worked::new("EN 1993-1-8:2005 6.3.1(4)", title, value, Unit::Rotational, formula);
+    let mut worked = Worked::new(
+        "EN 1993-1-8:2005 6.3.1(4)",
+        INITIAL_STIFFNESS,
+        value,
+        Unit::Rotational,
+        formula,
+    );
     for (symbol, k) in
         [("k1", panel), ("k2", compression), ("k_eq", Some(equivalent)), ("z_eq", Some(lever))]
     {
@@ -182,6 +186,6 @@ pub fn for_elastic_analysis(initial: f64, joins: Joins) -> Worked {
         Joins::Other => 3.0,
     };
     let formula = format!("S_j,ini/η = {}/{}", Unit::Rotational.show(initial), n(eta));
-    let title = "rotational stiffness for elastic analysis";
-    Worked::new("EN 1993-1-8:2005 5.1.2(4)", title, initial / eta, Unit::Rotational, formula)
+    let value = initial / eta;
+    Worked::new("EN 1993-1-8:2005 5.1.2(4)", ELASTIC_STIFFNESS, value, Unit::Rotational, formula)
 }

@@ -4,7 +4,9 @@
 use super::member_end::MemberEnd;
 use crate::assembly::EndPlate;
 use crate::checks::check::{Check, Topic, Unit, number as n};
-use crate::checks::classification::{Frame, STIFF_COLUMNS, stiffness_limits, strength_class};
+use crate::checks::classification::{
+    Frame, STIFF_COLUMNS, StiffnessLimits, stiffness_limits, strength_class,
+};
 use crate::checks::component_method::stiffness::at_moment;
 use crate::checks::worked::Worked;
 
@@ -74,18 +76,33 @@ fn slender_columns(e: &EndPlate) -> Option<f64> {
     Some(of(e.beam.i_y, e.system_length?) / of(column.section.i_y, column.system_length?))
 }
 
+/// Limits of the classes by stiffness in a kind of frame; `None` if the length of the beam is not
+/// known.
+fn limits(e: &EndPlate, frame: Frame) -> Option<StiffnessLimits> {
+    let stiff = slender_columns(e).is_some_and(|r| r < STIFF_COLUMNS);
+    let inertia = 1e4 * e.beam.i_y;
+    let of = |length| stiffness_limits(frame, stiff, e.beam_steel.e, inertia, length);
+    e.system_length.map(of)
+}
+
 /// Limits of the classes by stiffness of a beam of known length: their factor of E I_b/L_b, and the
 /// stiffness \[N mm/rad\]. Empty without a column or a length.
 ///
 /// # Source
 /// EN 1993-1-8:2005 5.2.2.5(1), Figure 5.4.
 pub fn stiffness_class_limits(e: &EndPlate) -> Vec<(f64, f64)> {
-    let Some(length) = e.system_length.filter(|_| e.column.is_some()) else { return Vec::new() };
-    let stiff = slender_columns(e).is_some_and(|r| r < STIFF_COLUMNS);
-    let of = |f: Frame| stiffness_limits(f, stiff, e.beam_steel.e, 1e4 * e.beam.i_y, length);
-    let rigid = [Frame::Braced, Frame::Unbraced].map(|f| (f.factor(), of(f).rigid.value));
-    let all = rigid.into_iter().chain([(0.5, of(Frame::Braced).pinned.value)]);
-    all.filter(|(_, s)| s.is_finite()).collect()
+    let of = |frame: Frame| limits(e, frame).filter(|_| e.column.is_some());
+    let (Some(braced), Some(unbraced)) = (of(Frame::Braced), of(Frame::Unbraced)) else {
+        return Vec::new();
+    };
+    [
+        (Frame::Braced.factor(), braced.rigid.value),
+        (Frame::Unbraced.factor(), unbraced.rigid.value),
+        (0.5, braced.pinned.value),
+    ]
+    .into_iter()
+    .filter(|(_, s)| s.is_finite())
+    .collect()
 }
 
 /// The class for both kinds of frame where the length of the beam is known, otherwise the length
@@ -97,8 +114,7 @@ fn stiffness_classes(end: &MemberEnd<'_>) -> Vec<Check> {
     let e = end.e;
     let initial = end.assessment.stiffness.initial.value;
     let inertia = 1e4 * e.beam.i_y;
-    let ratio = slender_columns(e);
-    let storey = match ratio {
+    let storey = match slender_columns(e) {
         Some(r) => {
             format!(
                 "K_b/K_c = {} of this beam and column, the code takes the means of the storey; \
@@ -118,7 +134,7 @@ fn stiffness_classes(end: &MemberEnd<'_>) -> Vec<Check> {
     ];
     let class = |(frame, words, note): (Frame, &'static str, String)| {
         let place = format!("{}, {words}", end.subject());
-        let Some(length) = e.system_length else {
+        let Some(limits) = limits(e, frame) else {
             let rigid = frame.factor() * e.beam_steel.e * inertia / initial;
             let formula = format!(
                 "L_b ≥ k_b E I_b/S_j,ini = {} · {} · {}/{}",
@@ -132,8 +148,6 @@ fn stiffness_classes(end: &MemberEnd<'_>) -> Vec<Check> {
             worked.formula += &note;
             return worked.information(Topic::Stiffness, place);
         };
-        let stiff = ratio.is_some_and(|r| r < STIFF_COLUMNS);
-        let limits = stiffness_limits(frame, stiff, e.beam_steel.e, inertia, length);
         let rigid = match limits.rigid.value.is_finite() {
             true => limits.rigid.formula.clone(),
             false => "none, for K_b/K_c < 0.1".into(),

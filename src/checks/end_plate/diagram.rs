@@ -35,7 +35,6 @@ pub fn moment_axial(e: &EndPlate) -> Vec<MomentAxial> {
     }
     betas.sort_by(f64::total_cmp);
     betas.dedup();
-    let several = e.actions.iter().any(|a| a.end != e.actions[0].end);
     let diagram = |of: f64| {
         let plain = component_joint(e, of);
         let equilibrium = Equilibrium::new(&plain).ok()?;
@@ -45,8 +44,7 @@ pub fn moment_axial(e: &EndPlate) -> Vec<MomentAxial> {
         let of_beta = e.actions.iter().filter(|a| beta(e, a) == of);
         let demands = of_beta.map(|a| {
             let [force, turn] = a.at(1.0);
-            let name = if several { format!("{}, {}", a.case, a.end) } else { a.case.clone() };
-            (name, [force[0], turn[1]])
+            (e.case_name(a), [force[0], turn[1]])
         });
         let small = SMALL_AXIAL * equilibrium.plastic;
         let border = equilibrium.diagram(moment, POINTS);

@@ -1,8 +1,9 @@
-//! The end plate as a DXF drawing (R12, ASCII) for the workshop: outline, holes and a note, at full
-//! size in mm. The origin is the axis of the beam, y upward.
+//! The end plate as a DXF drawing (R12, ASCII) for the workshop: outline, holes and a note in the
+//! language of the spec, at full size in mm. The origin is the axis of the beam, y upward.
 
 use crate::assembly::EndPlate;
 use crate::checks::check::number;
+use crate::report::words::Words;
 use std::fmt::Write;
 
 /// Name of the file in a result folder.
@@ -15,8 +16,8 @@ const MARK: f64 = 0.3;
 /// Layers with their colour numbers.
 const LAYERS: [(&str, u8); 4] = [("PLATE", 7), ("HOLES", 1), ("CENTRES", 8), ("NOTES", 3)];
 
-/// The drawing. `pieces` is the number of plates of the joint.
-pub fn end_plate(e: &EndPlate, pieces: usize) -> String {
+/// The drawing with its note in `words`. `pieces` is the number of plates of the joint.
+pub fn end_plate(e: &EndPlate, pieces: usize, words: &Words) -> String {
     let mut d = Dxf::new();
     let half = 0.5 * e.width;
     let corners = [[-half, e.bottom], [half, e.bottom], [half, e.top], [-half, e.top]];
@@ -46,7 +47,7 @@ pub fn end_plate(e: &EndPlate, pieces: usize) -> String {
     ];
     for (i, note) in notes.iter().enumerate() {
         let below = e.bottom - (2.0 + 1.6 * i as f64) * LETTERS;
-        d.text("NOTES", [-half, below], LETTERS, note);
+        d.text("NOTES", [-half, below], LETTERS, &words.say(note));
     }
     d.finish()
 }
@@ -98,13 +99,30 @@ impl Dxf {
         self.groups(&[(0, "TEXT"), (8, layer)]);
         self.point(10, at);
         // R12 is ASCII, and a line break would end the value
-        let words: String =
-            words.chars().map(|c| if c == ' ' || c.is_ascii_graphic() { c } else { '_' }).collect();
-        self.groups(&[(40, &format!("{height:.1}")), (1, &words)]);
+        self.groups(&[(40, &format!("{height:.1}")), (1, &ascii(words))]);
     }
 
     fn finish(mut self) -> String {
         self.groups(&[(0, "ENDSEC"), (0, "EOF")]);
         self.0
     }
+}
+
+/// A text in ASCII. German letters are spelled out, other ones become `_`.
+fn ascii(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            'ä' => out.push_str("ae"),
+            'ö' => out.push_str("oe"),
+            'ü' => out.push_str("ue"),
+            'Ä' => out.push_str("Ae"),
+            'Ö' => out.push_str("Oe"),
+            'Ü' => out.push_str("Ue"),
+            'ß' => out.push_str("ss"),
+            c if c == ' ' || c.is_ascii_graphic() => out.push(c),
+            _ => out.push('_'),
+        }
+    }
+    out
 }

@@ -4,6 +4,7 @@
 use crate::assembly::EndPlate;
 use crate::checks::Check;
 use crate::checks::check::number;
+use crate::checks::component_method::{INITIAL_STIFFNESS, MOMENT_RESISTANCE};
 use crate::checks::end_plate::stiffness_class_limits;
 use crate::report::draw::axes::Axes;
 use crate::report::draw::svg::{Anchor, Drawing, LINE, Pen};
@@ -36,11 +37,8 @@ pub struct Frame {
 impl Frame {
     /// The moments of the ultimate load cases and the limits of the classes.
     pub fn of(e: &EndPlate) -> Self {
-        let several = e.actions.iter().any(|a| a.end != e.actions[0].end);
-        let moments = e.actions.iter().filter(|a| a.state.is_ultimate()).map(|a| {
-            let name = if several { format!("{}, {}", a.case, a.end) } else { a.case.clone() };
-            (name, 1e-6 * a.at(1.0)[1][1])
-        });
+        let ultimate = e.actions.iter().filter(|a| a.state.is_ultimate());
+        let moments = ultimate.map(|a| (e.case_name(a), 1e-6 * a.at(1.0)[1][1]));
         let limits = stiffness_class_limits(e).into_iter().map(|(k, s)| (k, 1e-9 * s));
         Self { moments: moments.collect(), limits: limits.collect() }
     }
@@ -94,15 +92,12 @@ impl Curve {
 /// The curves of both senses; one for both where they are equal.
 fn curves(checks: &[Check]) -> Vec<Curve> {
     let value = |title: &str, sense: &str| {
-        let found = checks.iter().find(|c| c.title == title && c.subject == sense)?;
-        found.resistance.filter(|v| *v > 0.0)
+        Check::find(checks, title, sense)?.resistance.filter(|v| *v > 0.0)
     };
     let mut out: Vec<Curve> = Vec::new();
     for sense in ["tension at the top", "tension at the bottom"] {
-        let (Some(m), Some(s)) = (
-            value("moment resistance of the joint", sense),
-            value("initial rotational stiffness", sense),
-        ) else {
+        let (Some(m), Some(s)) = (value(MOMENT_RESISTANCE, sense), value(INITIAL_STIFFNESS, sense))
+        else {
             continue;
         };
         let curve = Curve { sense: sense.into(), resistance: 1e-6 * m, stiffness: 1e-9 * s };

@@ -109,7 +109,7 @@ fn action_row(
         }
         _ => ("–".into(), "–".into()),
     };
-    let given = format!("{} {unit}", (1e9 * value).round() / 1e9);
+    let given = format!("{sign}{} {unit}", (1e9 * value.abs()).round() / 1e9);
     vec![case.into(), format!("{} at {}", a.end, a.at), a.action.clone(), given, low, high]
 }
 

@@ -9,6 +9,7 @@ use super::{
     WorkedRow,
 };
 use crate::checks::check::number;
+use crate::checks::component_method::{ELASTIC_STIFFNESS, INITIAL_STIFFNESS, MOMENT_RESISTANCE};
 use crate::checks::verdict::Verdict;
 use crate::checks::{Check, Status};
 use crate::report::figures::{Rounding, significant};
@@ -68,23 +69,20 @@ pub fn sheet(data: &ReportData, words: &Words, extent: Extent, paper: Paper) -> 
 
 /// M_j,Rd and the stiffness of the joint for each sense of bending.
 fn joint_values(checks: &[Check]) -> Table {
-    const MOMENT: &str = "moment resistance of the joint";
     const COLUMNS: [&str; 4] =
         ["sense of bending", "moment resistance", "initial stiffness", "for elastic analysis"];
     let row = |moment: &Check| {
         let value = |title: &str| {
-            let mut mine = checks.iter().filter(|c| c.subject == moment.subject);
-            let found = mine.find(|c| c.title == title);
+            let found = Check::find(checks, title, &moment.subject);
             let shown = found.and_then(|c| c.resistance.map(|v| c.unit.show(v)));
             shown.unwrap_or_else(|| "–".into())
         };
-        let titles =
-            [MOMENT, "initial rotational stiffness", "rotational stiffness for elastic analysis"];
+        let titles = [MOMENT_RESISTANCE, INITIAL_STIFFNESS, ELASTIC_STIFFNESS];
         std::iter::once(moment.subject.clone()).chain(titles.map(value)).collect()
     };
     Table {
         columns: COLUMNS.map(String::from).into(),
-        rows: checks.iter().filter(|c| c.title == MOMENT).map(row).collect(),
+        rows: checks.iter().filter(|c| c.title == MOMENT_RESISTANCE).map(row).collect(),
     }
 }
 

@@ -179,6 +179,8 @@ impl Words {
             } else if let Some((caption, file)) =
                 line.strip_prefix("![").and_then(|l| l.split_once("]("))
             {
+                let name = file.strip_suffix(')').and_then(|f| self.file(f));
+                let file = name.map_or_else(|| file.to_owned(), |name| format!("{name})"));
                 out.push_str(&format!("![{}]({file}", self.say(caption)));
             } else {
                 let rest = line.trim_start_matches(['#', '-', ' ']);

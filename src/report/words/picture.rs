@@ -5,6 +5,13 @@ use crate::report::draw::svg::width;
 use crate::report::escaped::{escaped, unescaped};
 
 impl Words {
+    /// The file beside a drawing with its texts in the language, such as `drawing.de.svg`; `None`
+    /// for English and for other pictures, whose lettering is in the language from the start.
+    pub fn file(&self, name: &str) -> Option<String> {
+        self.dictionary?;
+        Some(format!("{}.{}.svg", name.strip_suffix(".svg")?, self.code()))
+    }
+
     /// A drawing of this program with its texts in the language. It becomes wider where a text
     /// needs that.
     pub fn drawing(&self, svg: &str) -> String {
