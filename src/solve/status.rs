@@ -82,8 +82,8 @@ pub struct Iteration {
 /// Receiver of the reports, called at every iteration.
 pub type Iterations = Arc<dyn Fn(&Iteration) + Send + Sync>;
 
-/// Called when a solve is handed to Clarabel, with the memory that it needs at most \[bytes\]; true:
-/// it may have them.
+/// Called when a solve is handed to Clarabel, with the memory that it needs at most \[bytes\];
+/// true: it may have them.
 pub type HandOver = Arc<dyn Fn(u64) -> bool + Send + Sync>;
 
 /// Which method solves the conic programs.

@@ -47,7 +47,8 @@ fn ezdxf_reads_plate_and_holes() {
 fn the_note_of_a_german_plate_is_german() {
     let spec = "project: {language: de}\ntemplate: beam_splice\nmembers: {beam: {profile: IPE270, \
                 steel: S235}}\nplate: {thickness: 15, width: 135, z: [-150, 150]}\nbolts: {size: \
-                M16, grade: \"8.8\", gauge: 76, rows: [-85, 85]}\n";
+                M16, grade: \"8.8\", gauge: 76, rows: [-85, 85]}\nloads: [{name: ULS1, end: \
+                beam_right, at: bolt_plane, My: 5 kN m}]\n";
     let bench = Bench::new().file("joint.yaml", spec);
     expect(&bench, &["check", "joint.yaml", "--out", "r"], 0);
     let dxf = bench.read("r/end_plate.dxf");

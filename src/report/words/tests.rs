@@ -57,7 +57,8 @@ fn texts_are_translated_whole_or_in_parts_and_names_stay() {
     assert_eq!(words.fill("a ⟦Checks⟧ b ⟦Welds⟧"), "a Nachweise b Schweißnähte");
 }
 
-/// Headings, cells and captions are translated; code, titles and files are not.
+/// Headings, cells and captions are translated; code and titles are not. A drawing is the one beside
+/// it with German texts.
 #[test]
 fn markdown_keeps_its_form() {
     let english = "# Checks\n\n## Checks\n\n| check | a\\|b |\n| --- | ---: |\n| tension | 1 |\n\n\
@@ -66,7 +67,7 @@ fn markdown_keeps_its_form() {
     assert_eq!(
         german,
         "# Checks\n\n## Nachweise\n\n| Nachweis | a\\|b |\n| --- | ---: |\n| Zug | 1 |\n\n- \
-         Schweißnähte\n\n![Bilder](Welds.svg)\n\n```yaml\nWelds: 1\n``` \n```\nSchweißnähte.\n"
+         Schweißnähte\n\n![Bilder](Welds.de.svg)\n\n```yaml\nWelds: 1\n``` \n```\nSchweißnähte.\n"
     );
 }
 
