@@ -80,7 +80,7 @@ fn limit() -> String {
 #[test]
 fn limits_are_reported() {
     for (adapt, why) in [
-        ("{target_gap: 0.0001, max_passes: 2}", "2 meshes were allowed"),
+        ("{target_gap: 0.0001, max_passes: 2, max_macro_tets: 2000}", "2 meshes were allowed"),
         ("{target_gap: 0.0001, max_macro_tets: 200}", "no mesh within `max_macro_tets`"),
         ("{target_gap: 0.0001, max_passes: 1}", "a finer mesh is needed"),
     ] {

@@ -63,6 +63,19 @@ impl Bench {
         found
     }
 
+    /// Another folder with the same files.
+    pub fn copy(&self) -> Self {
+        let other = Self::new();
+        for (name, bytes) in self.everything() {
+            let (from, to) = (self.path().join(&name), other.path().join(&name));
+            match from.is_dir() {
+                true => std::fs::create_dir_all(to).expect("folder"),
+                false => std::fs::write(to, bytes).expect("written"),
+            }
+        }
+        other
+    }
+
     /// Creates a mesher that prints a version and then runs `script` (`sh`; the arguments are those
     /// of gmsh). Returns its path.
     pub fn mesher(&self, script: &str) -> String {

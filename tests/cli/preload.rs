@@ -118,7 +118,9 @@ fn a_bolt_called_halved_is_refuted() {
 /// structures.
 #[test]
 fn both_bounds_of_refined_meshes_belong_to_one_mesh() {
-    let bench = solved(&format!("{SLEEVE}adapt: {{target_gap: 1.0e-6, max_passes: 2}}\n"));
+    let bench = solved(&format!(
+        "{SLEEVE}adapt: {{target_gap: 1.0e-6, max_passes: 2, max_macro_tets: 1500}}\n"
+    ));
     let c = case(&bench);
     let history = c["history"].as_array().expect("rows");
     assert_eq!(history.len(), 2, "{c}");

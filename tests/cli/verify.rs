@@ -6,10 +6,16 @@ use crate::{MODEL, bench, expect, mesh};
 use bracket::result::fields::vtu::VtuGrid;
 use serde_json::{Value, json};
 
-/// Changes a finished result by `tamper`. Returns the exit code and the output of `verify`.
-fn after(tamper: impl Fn(&Bench)) -> (Option<i32>, String) {
+/// A finished result.
+fn solved() -> Bench {
     let bench = bench(MODEL);
     expect(&bench, &["analyse", "block.yaml", "-q"], 0);
+    bench
+}
+
+/// Changes a copy of a `solved` model by `tamper`. Returns the exit code and the output of `verify`.
+fn after(solved: &Bench, tamper: impl Fn(&Bench)) -> (Option<i32>, String) {
+    let bench = solved.copy();
     tamper(&bench);
     let run = bench.sealed("block").run(&["verify", "block"]);
     let text =
@@ -44,11 +50,13 @@ fn edit_field(bench: &Bench, name: &str, array: &str, change: impl Fn(f64) -> f6
 
 #[test]
 fn an_untouched_result_is_confirmed() {
-    let (code, text) = after(|_| {});
+    let solved = solved();
+    let after = |tamper: &dyn Fn(&Bench)| after(&solved, tamper);
+    let (code, text) = after(&|_| {});
     assert_eq!(code, Some(0), "{text}");
     assert_eq!(text.matches("confirmed").count(), 2, "{text}");
     // a folder moved elsewhere is still complete: it contains mesh and model
-    let (code, text) = after(|b| {
+    let (code, text) = after(&|b| {
         std::fs::rename(b.path().join("block"), b.path().join("moved")).expect("moved");
         std::fs::remove_file(b.path().join("m.msh")).expect("removed");
         std::fs::rename(b.path().join("moved"), b.path().join("block")).expect("moved back");
@@ -58,10 +66,12 @@ fn an_untouched_result_is_confirmed() {
 
 #[test]
 fn a_changed_claim_is_refuted() {
+    let solved = solved();
+    let after = |tamper: &dyn Fn(&Bench)| after(&solved, tamper);
     for (bound, factor) in
         [("lower", 0.999_999), ("lower", 1.000_001), ("upper", 1.000_001), ("upper", 0.5)]
     {
-        let (code, text) = after(|b| {
+        let (code, text) = after(&|b| {
             edit_result(b, |r| {
                 let value = &mut r["cases"][0][bound];
                 *value = (value.as_f64().expect("a bound") * factor).into();
@@ -74,9 +84,11 @@ fn a_changed_claim_is_refuted() {
 
 #[test]
 fn a_changed_load_is_refuted() {
+    let solved = solved();
+    let after = |tamper: &dyn Fn(&Bench)| after(&solved, tamper);
     let force = |r: &Value| r["cases"][0]["load"]["force"].as_f64().expect("a force");
     let refuted = |edit: &dyn Fn(&mut Value), code: i32| {
-        let (got, text) = after(|b| edit_result(b, edit));
+        let (got, text) = after(&|b| edit_result(b, edit));
         assert_eq!(got, Some(code), "{text}");
         assert_eq!(text.contains("load is not what the fields give"), code == 1, "{text}");
     };
@@ -87,15 +99,17 @@ fn a_changed_load_is_refuted() {
 
 #[test]
 fn a_changed_field_is_refuted() {
+    let solved = solved();
+    let after = |tamper: &dyn Fn(&Bench)| after(&solved, tamper);
     for (file, array) in
         [("block_static.vtu", "stress_mandel"), ("block_kinematic.vtu", "displacement")]
     {
         for factor in [1.0001, -1.0] {
-            let (code, text) = after(|b| edit_field(b, file, array, |x| factor * x));
+            let (code, text) = after(&|b| edit_field(b, file, array, |x| factor * x));
             assert_eq!(code, Some(1), "{file} × {factor}: {text}");
             assert!(text.contains("REFUTED"), "{file} × {factor}: {text}");
         }
-        let (code, text) = after(|b| edit_field(b, file, array, |_| f64::NAN));
+        let (code, text) = after(&|b| edit_field(b, file, array, |_| f64::NAN));
         assert!(matches!(code, Some(1 | 2)), "{file} NaN: {text}");
         assert!(!text.contains("  confirmed\n") || text.contains("REFUTED"), "{file} NaN: {text}");
     }
@@ -103,9 +117,11 @@ fn a_changed_field_is_refuted() {
 
 #[test]
 fn another_mesh_or_model_is_refuted_or_refused() {
+    let solved = solved();
+    let after = |tamper: &dyn Fn(&Bench)| after(&solved, tamper);
     // the same connectivity, another height: the fields have the right size but wrong values
     let (code, text) =
-        after(|b| std::fs::write(b.path().join("block/mesh.msh"), mesh(61.0)).expect("written"));
+        after(&|b| std::fs::write(b.path().join("block/mesh.msh"), mesh(61.0)).expect("written"));
     assert_eq!(code, Some(2), "{text}");
     assert!(text.contains("is not where the mesh has it"), "{text}");
     // a mesh of another size
@@ -116,12 +132,12 @@ fn another_mesh_or_model_is_refuted_or_refused() {
         |_, _| false,
     ));
     let (code, text) =
-        after(|b| std::fs::write(b.path().join("block/mesh.msh"), &other).expect("written"));
+        after(&|b| std::fs::write(b.path().join("block/mesh.msh"), &other).expect("written"));
     assert_eq!(code, Some(2), "{text}");
     // softer steel, less friction, another load: the stored fields do not solve that problem or
     // have other energies
     for (old, new) in [("210000", "200000"), ("mu: 0.3", "mu: 0.01"), ("-40", "-41")] {
-        let (code, text) = after(|b| {
+        let (code, text) = after(&|b| {
             let model = b.read("block/model.yaml");
             assert!(model.contains(old), "{old} in {model}");
             std::fs::write(b.path().join("block/model.yaml"), model.replacen(old, new, 1))
@@ -133,6 +149,8 @@ fn another_mesh_or_model_is_refuted_or_refused() {
 
 #[test]
 fn what_is_missing_or_torn_is_named() {
+    let solved = solved();
+    let after = |tamper: &dyn Fn(&Bench)| after(&solved, tamper);
     for (file, words) in [
         ("result.json", "result.json"),
         ("mesh.msh", "mesh.msh"),
@@ -140,10 +158,10 @@ fn what_is_missing_or_torn_is_named() {
         ("fields/block_static.vtu", "block_static.vtu"),
     ] {
         let (code, text) =
-            after(|b| std::fs::remove_file(b.path().join("block").join(file)).expect("removed"));
+            after(&|b| std::fs::remove_file(b.path().join("block").join(file)).expect("removed"));
         assert_eq!(code, Some(2), "{file}: {text}");
         assert!(text.contains(words) && text.contains("help: "), "{file}: {text}");
-        let (code, text) = after(|b| {
+        let (code, text) = after(&|b| {
             let path = b.path().join("block").join(file);
             let bytes = std::fs::read(&path).expect("read");
             std::fs::write(&path, &bytes[..bytes.len() / 2]).expect("written");
