@@ -6,7 +6,8 @@ use crate::limit_analysis::{BAR, bar, number, result};
 use bracket::result::fields::vtu::VtuGrid;
 use serde_json::Value;
 
-/// Changes a copy of the `solved` bar by `tamper`. Returns the exit code and the output of `verify`.
+/// Changes a copy of the `solved` bar by `tamper`. Returns the exit code and the output of
+/// `verify`.
 fn after(solved: &Bench, tamper: impl Fn(&Bench)) -> (Option<i32>, String) {
     let bench = solved.copy();
     tamper(&bench);

@@ -175,7 +175,8 @@ fn meshes_follow_the_gap() {
     assert_eq!(out.matches("confirmed").count(), 2, "{out}");
 }
 
-/// Changes a copy of the `solved` cube by `tamper`. Returns the exit code and the output of `verify`.
+/// Changes a copy of the `solved` cube by `tamper`. Returns the exit code and the output of
+/// `verify`.
 fn after(solved: &Bench, tamper: impl Fn(&Bench)) -> (Option<i32>, String) {
     let bench = solved.copy();
     tamper(&bench);

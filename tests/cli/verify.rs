@@ -13,7 +13,8 @@ fn solved() -> Bench {
     bench
 }
 
-/// Changes a copy of a `solved` model by `tamper`. Returns the exit code and the output of `verify`.
+/// Changes a copy of a `solved` model by `tamper`. Returns the exit code and the output of
+/// `verify`.
 fn after(solved: &Bench, tamper: impl Fn(&Bench)) -> (Option<i32>, String) {
     let bench = solved.copy();
     tamper(&bench);

@@ -57,8 +57,8 @@ fn texts_are_translated_whole_or_in_parts_and_names_stay() {
     assert_eq!(words.fill("a ⟦Checks⟧ b ⟦Welds⟧"), "a Nachweise b Schweißnähte");
 }
 
-/// Headings, cells and captions are translated; code and titles are not. A drawing is the one beside
-/// it with German texts.
+/// Headings, cells and captions are translated; code and titles are not. A drawing is the one
+/// beside it with German texts.
 #[test]
 fn markdown_keeps_its_form() {
     let english = "# Checks\n\n## Checks\n\n| check | a\\|b |\n| --- | ---: |\n| tension | 1 |\n\n\
