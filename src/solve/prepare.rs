@@ -124,7 +124,8 @@ impl Prepared<'_> {
                 } else {
                     CLARABEL_MEMORY_YIELDING
                 };
-                let taken_over = !answered && left() > 0.0 && may_have(bytes * times, options);
+                let taken_over =
+                    !answered && left() > 0.0 && may_have(bytes.saturating_mul(times), options);
                 (!taken_over).then_some(solution)
             }
             Method::Clarabel => None,

@@ -82,7 +82,7 @@ pub struct Iteration {
 /// Receiver of the reports, called at every iteration.
 pub type Iterations = Arc<dyn Fn(&Iteration) + Send + Sync>;
 
-/// Called when a solve is handed to Clarabel, with the memory that it needs at most \[bytes\];
+/// Called before a solve is handed to Clarabel, with the memory that it needs at most \[bytes\];
 /// true: it may have them.
 pub type HandOver = Arc<dyn Fn(u64) -> bool + Send + Sync>;
 

@@ -76,6 +76,18 @@ impl Bench {
         other
     }
 
+    /// Changes a copy as one who forges the result in `folder` would and runs `verify`. Returns the
+    /// exit code and all that it prints.
+    pub fn verify_after(&self, folder: &str, tamper: &dyn Fn(&Bench)) -> (Option<i32>, String) {
+        let bench = self.copy();
+        tamper(&bench);
+        let run = bench.sealed(folder).run(&["verify", folder]);
+        let text = [run.stdout, run.stderr].map(|t| String::from_utf8_lossy(&t).into_owned());
+        let text = text.concat();
+        assert!(!text.contains("panicked"), "{text}");
+        (run.status.code(), text)
+    }
+
     /// Creates a mesher that prints a version and then runs `script` (`sh`; the arguments are those
     /// of gmsh). Returns its path.
     pub fn mesher(&self, script: &str) -> String {

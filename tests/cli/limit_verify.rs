@@ -6,18 +6,6 @@ use crate::limit_analysis::{BAR, bar, number, result};
 use bracket::result::fields::vtu::VtuGrid;
 use serde_json::Value;
 
-/// Changes a copy of the `solved` bar by `tamper`. Returns the exit code and the output of
-/// `verify`.
-fn after(solved: &Bench, tamper: impl Fn(&Bench)) -> (Option<i32>, String) {
-    let bench = solved.copy();
-    tamper(&bench);
-    let run = bench.sealed("bar").run(&["verify", "bar"]);
-    (
-        run.status.code(),
-        String::from_utf8_lossy(&run.stdout).into_owned() + &String::from_utf8_lossy(&run.stderr),
-    )
-}
-
 /// Changes a number of an array of a field file, in place.
 pub fn edit_field(bench: &Bench, name: &str, array: &str, factor: f64) {
     let path = bench.path().join("bar/fields").join(name);
@@ -75,7 +63,7 @@ fn slip_on_a_support() {
 fn verify_confirms_what_is_true_and_refutes_the_rest() {
     let solved = bar(BAR);
     expect(&solved, &["analyse", "bar.yaml", "-q"], 0);
-    let after = |tamper: &dyn Fn(&Bench)| after(&solved, tamper);
+    let after = |tamper: &dyn Fn(&Bench)| solved.verify_after("bar", tamper);
     let (code, text) = after(&|_| {});
     assert_eq!((code, text.matches("confirmed").count()), (Some(0), 2), "{text}");
     for (bound, factor) in

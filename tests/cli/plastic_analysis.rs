@@ -175,18 +175,6 @@ fn meshes_follow_the_gap() {
     assert_eq!(out.matches("confirmed").count(), 2, "{out}");
 }
 
-/// Changes a copy of the `solved` cube by `tamper`. Returns the exit code and the output of
-/// `verify`.
-fn after(solved: &Bench, tamper: impl Fn(&Bench)) -> (Option<i32>, String) {
-    let bench = solved.copy();
-    tamper(&bench);
-    let run = bench.sealed("cube").run(&["verify", "cube"]);
-    let text =
-        String::from_utf8_lossy(&run.stdout).into_owned() + &String::from_utf8_lossy(&run.stderr);
-    assert!(!text.contains("panicked"), "{text}");
-    (run.status.code(), text)
-}
-
 fn edit_result(bench: &Bench, edit: impl Fn(&mut Value)) {
     let mut all: Value = serde_json::from_str(&bench.read("cube/result.json")).expect("JSON");
     edit(&mut all["cases"][0]);
@@ -208,7 +196,7 @@ fn edit_field(bench: &Bench, kind: &str, name: &str, factor: f64) {
 fn verify_confirms_what_is_true_and_refutes_the_rest() {
     let solved = cube(CUBE);
     expect(&solved, &["analyse", "cube.yaml", "-q"], 0);
-    let after = |tamper: &dyn Fn(&Bench)| after(&solved, tamper);
+    let after = |tamper: &dyn Fn(&Bench)| solved.verify_after("cube", tamper);
     let (code, text) = after(&|_| {});
     assert_eq!((code, text.matches("confirmed").count()), (Some(0), 2), "{text}");
     for bound in ["lower", "upper"] {

@@ -13,18 +13,6 @@ fn solved() -> Bench {
     bench
 }
 
-/// Changes a copy of a `solved` model by `tamper`. Returns the exit code and the output of
-/// `verify`.
-fn after(solved: &Bench, tamper: impl Fn(&Bench)) -> (Option<i32>, String) {
-    let bench = solved.copy();
-    tamper(&bench);
-    let run = bench.sealed("block").run(&["verify", "block"]);
-    let text =
-        String::from_utf8_lossy(&run.stdout).into_owned() + &String::from_utf8_lossy(&run.stderr);
-    assert!(!text.contains("panicked"), "{text}");
-    (run.status.code(), text)
-}
-
 fn edit_result(bench: &Bench, edit: impl Fn(&mut Value)) {
     let mut result: Value = serde_json::from_str(&bench.read("block/result.json")).expect("JSON");
     edit(&mut result);
@@ -52,7 +40,7 @@ fn edit_field(bench: &Bench, name: &str, array: &str, change: impl Fn(f64) -> f6
 #[test]
 fn an_untouched_result_is_confirmed() {
     let solved = solved();
-    let after = |tamper: &dyn Fn(&Bench)| after(&solved, tamper);
+    let after = |tamper: &dyn Fn(&Bench)| solved.verify_after("block", tamper);
     let (code, text) = after(&|_| {});
     assert_eq!(code, Some(0), "{text}");
     assert_eq!(text.matches("confirmed").count(), 2, "{text}");
@@ -68,7 +56,7 @@ fn an_untouched_result_is_confirmed() {
 #[test]
 fn a_changed_claim_is_refuted() {
     let solved = solved();
-    let after = |tamper: &dyn Fn(&Bench)| after(&solved, tamper);
+    let after = |tamper: &dyn Fn(&Bench)| solved.verify_after("block", tamper);
     for (bound, factor) in
         [("lower", 0.999_999), ("lower", 1.000_001), ("upper", 1.000_001), ("upper", 0.5)]
     {
@@ -86,7 +74,7 @@ fn a_changed_claim_is_refuted() {
 #[test]
 fn a_changed_load_is_refuted() {
     let solved = solved();
-    let after = |tamper: &dyn Fn(&Bench)| after(&solved, tamper);
+    let after = |tamper: &dyn Fn(&Bench)| solved.verify_after("block", tamper);
     let force = |r: &Value| r["cases"][0]["load"]["force"].as_f64().expect("a force");
     let refuted = |edit: &dyn Fn(&mut Value), code: i32| {
         let (got, text) = after(&|b| edit_result(b, edit));
@@ -101,7 +89,7 @@ fn a_changed_load_is_refuted() {
 #[test]
 fn a_changed_field_is_refuted() {
     let solved = solved();
-    let after = |tamper: &dyn Fn(&Bench)| after(&solved, tamper);
+    let after = |tamper: &dyn Fn(&Bench)| solved.verify_after("block", tamper);
     for (file, array) in
         [("block_static.vtu", "stress_mandel"), ("block_kinematic.vtu", "displacement")]
     {
@@ -119,7 +107,7 @@ fn a_changed_field_is_refuted() {
 #[test]
 fn another_mesh_or_model_is_refuted_or_refused() {
     let solved = solved();
-    let after = |tamper: &dyn Fn(&Bench)| after(&solved, tamper);
+    let after = |tamper: &dyn Fn(&Bench)| solved.verify_after("block", tamper);
     // the same connectivity, another height: the fields have the right size but wrong values
     let (code, text) =
         after(&|b| std::fs::write(b.path().join("block/mesh.msh"), mesh(61.0)).expect("written"));
@@ -151,7 +139,7 @@ fn another_mesh_or_model_is_refuted_or_refused() {
 #[test]
 fn what_is_missing_or_torn_is_named() {
     let solved = solved();
-    let after = |tamper: &dyn Fn(&Bench)| after(&solved, tamper);
+    let after = |tamper: &dyn Fn(&Bench)| solved.verify_after("block", tamper);
     for (file, words) in [
         ("result.json", "result.json"),
         ("mesh.msh", "mesh.msh"),
