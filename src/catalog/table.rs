@@ -6,6 +6,12 @@ use super::source::Source;
 use crate::diag::did_you_mean;
 use std::collections::BTreeMap;
 
+/// Most rows of a table; the largest catalogue of profiles has some thousand.
+const MOST_ROWS: usize = 100_000;
+
+/// Most columns of a table; the widest kind has some twenty.
+const MOST_COLUMNS: usize = 1000;
+
 /// The columns of one kind of table.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Columns {
@@ -52,12 +58,22 @@ impl RawTable {
             };
             CatalogError::Csv { at: Source { file: file.to_owned(), line }, message }
         };
+        let too_large = |line: usize, what: &str, most: usize| CatalogError::Csv {
+            at: Source { file: file.to_owned(), line },
+            message: format!("more than {most} {what} are not read"),
+        };
         let headers: Vec<String> =
             reader.headers().map_err(fault)?.iter().map(str::to_owned).collect();
+        if headers.len() > MOST_COLUMNS {
+            return Err(too_large(1, "columns", MOST_COLUMNS));
+        }
         let mut rows = Vec::new();
         for record in reader.records() {
             let record = record.map_err(fault)?;
             let line = record.position().map_or(0, |p| p.line() as usize);
+            if rows.len() == MOST_ROWS {
+                return Err(too_large(line, "rows", MOST_ROWS));
+            }
             rows.push((line, record.iter().map(str::to_owned).collect()));
         }
         let provenance = text

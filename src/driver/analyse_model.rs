@@ -38,7 +38,7 @@ pub fn analyse_model(
     };
     let model = load_model(path).map_err(|faults| {
         let text = text_file::read(path, |e| unread(path, e)).unwrap_or_default();
-        if yaml::top_level(&text, "template") && yaml::top_level(&text, "loads") {
+        if yaml::top_level(&text, &["template", "loads"]) {
             let hint = "this looks like a connection spec: `bracket run` reads it";
             return faults.into_first().help(hint).into();
         }

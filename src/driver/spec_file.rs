@@ -75,7 +75,7 @@ fn with_templates(
     templates: Templates<'_>,
 ) -> Result<SpecFile, Diagnostics> {
     let mut spec = yaml::parse::<ConnectionSpec>(text, path).map_err(|faults| {
-        if yaml::top_level(text, "mesh") && yaml::top_level(text, "bodies") {
+        if yaml::top_level(text, &["mesh", "bodies"]) {
             let hint = "this looks like a model file: `bracket analyse` reads it";
             return faults.into_first().help(hint).into();
         }

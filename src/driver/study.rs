@@ -172,7 +172,7 @@ pub fn run_study(options: &StudyOptions, mut limits: Limits) -> Result<Study, Di
         options.out.clone().unwrap_or_else(|| options.file.with_file_name(format!("{stem}_study")));
     let log = Arc::new(Log::new(options.quiet));
     let defaults = AnalysisSpec::default();
-    let is_model = yaml::top_level(&text, "mesh") && yaml::top_level(&text, "bodies");
+    let is_model = yaml::top_level(&text, &["mesh", "bodies"]);
     let begin = |limits: &Limits| -> Result<ResultFolder, Diagnostics> {
         let content = Content::Files { mark: MARK, command: "study" };
         let folder = ResultFolder::begin_with(&target, content)?;

@@ -15,7 +15,7 @@ pub use place::PlaceIndex;
 
 use crate::diag::{Diagnostic, Diagnostics, Place, did_you_mean};
 use outline::Outline;
-use scan::Scan;
+use scan::{Limit, Scan};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use std::borrow::Cow;
@@ -41,21 +41,22 @@ pub fn parse<T: DeserializeOwned>(text: &str, file: &Path) -> Result<Parsed<T>, 
     Ok(Parsed { value, index })
 }
 
-/// True if a document has this key at its top level, which distinguishes specs from model files. Of
-/// a text that is no document, the keys are the words with which its lines begin.
-pub fn top_level(text: &str, key: &str) -> bool {
-    let scan = Scan::of(text);
-    let readable = scan.too_deep.is_none() && scan.too_many.is_none();
+/// True if a document has these keys at its top level, which distinguishes specs from model files.
+/// Of a text that is no document or is too large for one, the keys are the words with which its
+/// lines begin.
+pub fn top_level(text: &str, keys: &[&str]) -> bool {
+    let readable = text.len() <= LARGEST && Scan::of(text).exceeded.is_none();
     let outline = readable.then(|| Outline::read(text));
-    match outline {
+    let has = |key: &&str| match &outline {
         Some(Ok(Outline::Map(entries))) => entries.iter().any(|(k, _)| k == key),
         _ => {
             let starts = |l: &str| {
-                l.strip_prefix(key).is_some_and(|rest| rest.trim_start().starts_with(':'))
+                l.strip_prefix(*key).is_some_and(|rest| rest.trim_start().starts_with(':'))
             };
             text.lines().any(starts)
         }
-    }
+    };
+    keys.iter().all(has)
 }
 
 /// Largest document \[bytes\]; its values take a hundred times as much memory.
@@ -75,11 +76,10 @@ fn accepted<'t>(text: &'t str, file: &Path) -> Result<(PlaceIndex, Cow<'t, str>)
         return Err(d.help("`bracket new` writes a starter").into());
     }
     let scan = Scan::of(text);
-    let deep = scan.too_deep.map(|at| (at, too_deep()));
-    if let Some((at, fault)) = deep.or(scan.too_many.map(|at| (at, too_many()))) {
+    if let Some((limit, at)) = scan.exceeded {
         let before = &text[..at];
         let column = before.rsplit('\n').next().map_or(0, |l| l.chars().count()) + 1;
-        return Err(fault.file(file).at(before.matches('\n').count() + 1, column).into());
+        return Err(exceeded(limit).file(file).at(before.matches('\n').count() + 1, column).into());
     }
     let joined = scan.joined(text);
     let text = &*joined;
@@ -87,10 +87,9 @@ fn accepted<'t>(text: &'t str, file: &Path) -> Result<(PlaceIndex, Cow<'t, str>)
         let d = from_serde(&e, &PlaceIndex::new(file), file);
         match d.code {
             "yaml/syntax" => tab(text, file).unwrap_or(d),
-            "yaml/too-large" if !text.contains('*') => Diagnostic {
-                message: "the file has more than a million values".into(),
-                ..d.help("specs have some hundred; is this the right file?")
-            },
+            "yaml/too-large" if !text.contains('*') => {
+                Diagnostic { place: d.place, ..exceeded(Limit::Values) }
+            }
             _ => d,
         }
     })?;
@@ -259,7 +258,7 @@ fn from_serde(error: &serde_yaml::Error, index: &PlaceIndex, file: &Path) -> Dia
         return named(d.help("write the values out instead of `*alias`"), "");
     }
     if text.contains("recursion limit") {
-        return named(too_deep(), "");
+        return named(exceeded(Limit::Depth), "");
     }
     if text.contains(outline::TAGGED) {
         let d = Diagnostic::input("yaml/tag", "YAML tags (`!name`) mean nothing here");
@@ -278,14 +277,25 @@ fn from_serde(error: &serde_yaml::Error, index: &PlaceIndex, file: &Path) -> Dia
     d
 }
 
-fn too_deep() -> Diagnostic {
-    Diagnostic::input("yaml/too-deep", "the file is nested deeper than 128 levels")
-        .help("no input of this program needs more than 8 levels")
-}
-
-fn too_many() -> Diagnostic {
-    Diagnostic::input("yaml/too-large", "the file has more than 10 000 entries between braces")
-        .help("specs have some dozen; write long lists with brackets, or a line each")
+fn exceeded(limit: Limit) -> Diagnostic {
+    let (code, message, help) = match limit {
+        Limit::Depth => (
+            "yaml/too-deep",
+            "the file is nested deeper than 128 levels",
+            "no input of this program needs more than 8 levels",
+        ),
+        Limit::Entries => (
+            "yaml/too-large",
+            "the file has more than 10 000 entries between braces",
+            "specs have some dozen; write long lists with brackets, or a line each",
+        ),
+        Limit::Values => (
+            "yaml/too-large",
+            "the file has more than a million values",
+            "specs have some hundred; is this the right file?",
+        ),
+    };
+    Diagnostic::input(code, message).help(help)
 }
 
 /// Removes the trailing ` at line L column C`; the place is reported separately.

@@ -55,6 +55,12 @@ fn wrong_tables_are_refused() {
         (header("r_mm", "r_area"), "catalog/unknown-column", "did you mean `r_area_mm`?"),
         (header("b_mm", "h_mm"), "catalog/bad-cell", "the header is there twice"),
         (format!("{HEAD}MY200,own\n"), "catalog/not-csv", "the row has 2 cells, the header 16"),
+        (
+            format!("{HEAD}{}", GOOD.repeat(100_001)),
+            "catalog/not-csv",
+            "more than 100000 rows are not read",
+        ),
+        ("a,".repeat(1000) + "a\n", "catalog/not-csv", "more than 1000 columns are not read"),
         ("a,b\n1,2\n".into(), "catalog/unknown-table", "fit no kind"),
         (String::new(), "catalog/unknown-table", "fit no kind"),
         (

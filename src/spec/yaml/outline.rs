@@ -12,7 +12,7 @@ pub(super) const TOO_LARGE: &str = "more than a million values";
 /// Part of the message when a value carries a tag.
 pub(super) const TAGGED: &str = "tagged value";
 /// Number of values that a document may contain after aliases are expanded.
-const BUDGET: usize = 1_000_000;
+pub(super) const BUDGET: usize = 1_000_000;
 /// Most bytes of one text. Names and titles stand in every table and picture of a report, and a
 /// page is set a text at a time.
 pub(super) const LONGEST: usize = 10_000;

@@ -1,9 +1,11 @@
 //! A first look at the characters of a document, before the YAML crate reads it: brackets nested
-//! too deep, on which the crate spends minutes, and surrogate pairs, which it refuses.
+//! too deep and too many values, on which the crate spends minutes or gigabytes, and surrogate
+//! pairs, which it refuses.
 //!
 //! The look knows quotes, comments and block texts. It reports no syntax errors; that is the work
 //! of the crate.
 
+use crate::spec::yaml::outline::BUDGET;
 use std::borrow::Cow;
 use std::ops::Range;
 
@@ -13,24 +15,35 @@ const DEEPEST: usize = 128;
 /// Most entries between braces: the time of the crate grows with the square of their number.
 const MOST_ENTRIES: usize = 10_000;
 
+/// A limit that a document exceeds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Limit {
+    /// [`DEEPEST`].
+    Depth,
+    /// [`MOST_ENTRIES`].
+    Entries,
+    /// [`BUDGET`].
+    Values,
+}
+
 /// What the look at a document finds.
 #[derive(Debug, Default)]
 pub(super) struct Scan {
-    /// Byte of the first bracket that is nested too deep.
-    pub(super) too_deep: Option<usize>,
-    /// Byte of the comma behind which braces have too many entries.
-    pub(super) too_many: Option<usize>,
+    /// The first limit that is exceeded, and the byte at which it is.
+    pub(super) exceeded: Option<(Limit, usize)>,
     /// Bytes of the double-quoted texts, without their quotes.
     double_quoted: Vec<Range<usize>>,
 }
 
 impl Scan {
-    /// Looks at a document. Ends at the first bracket that is nested too deep.
+    /// Looks at a document. Ends at the first limit that it exceeds.
     pub(super) fn of(text: &str) -> Self {
         let bytes = text.as_bytes();
         let mut out = Self::default();
         let (mut i, mut depth) = (0, 0_usize);
         let (mut braces, mut entries) = (0_u128, 0_usize);
+        // commas within brackets, keys and items outside: not more than the document has values
+        let mut values = 0_usize;
         // true where a value may begin, and right behind a colon
         let (mut begins, mut colon) = (true, false);
         let blank = |b: Option<&u8>| b.is_none_or(u8::is_ascii_whitespace);
@@ -55,7 +68,7 @@ impl Scan {
                 b'[' | b'{' if begins => {
                     depth += 1;
                     if depth > DEEPEST {
-                        out.too_deep = Some(i);
+                        out.exceeded = Some((Limit::Depth, i));
                         return out;
                     }
                     braces = braces << 1 | u128::from(b == b'{');
@@ -70,14 +83,19 @@ impl Scan {
                 b',' if depth > 0 => {
                     begins = true;
                     entries += (braces & 1) as usize;
+                    values += 1;
                     if entries > MOST_ENTRIES {
-                        out.too_many = Some(i);
+                        out.exceeded = Some((Limit::Entries, i));
                         return out;
                     }
                 }
                 // within brackets a value may stand right behind the colon of a quoted key
-                b':' => (begins, colon) = (depth > 0, true),
-                b'-' | b'?' if begins && blank(bytes.get(i + 1)) => {}
+                b':' => {
+                    (begins, colon) = (depth > 0, true);
+                    values += usize::from(depth == 0 && blank(bytes.get(i + 1)));
+                }
+                b'-' if begins && blank(bytes.get(i + 1)) => values += 1,
+                b'?' if begins && blank(bytes.get(i + 1)) => {}
                 // the value stands behind its anchor
                 b'&' if begins => {
                     while !blank(bytes.get(i + 1)) {
@@ -85,6 +103,10 @@ impl Scan {
                     }
                 }
                 _ => begins = false,
+            }
+            if values > BUDGET {
+                out.exceeded = Some((Limit::Values, i));
+                return out;
             }
             i += 1;
         }
@@ -199,7 +221,8 @@ mod tests {
             &format!("a: |\n  x\nb: \"]\" \n{deep}"),
             &format!("- &x {deep}"),
         ] {
-            assert!(Scan::of(text).too_deep.is_some(), "{text}");
+            let exceeded = Scan::of(text).exceeded;
+            assert!(matches!(exceeded, Some((Limit::Depth, _))), "{text}");
         }
         for text in [
             &shallow,
@@ -212,7 +235,7 @@ mod tests {
             &format!("a: it is \" and ' {deep}\nb: [\"{deep}\", 1]"),
             &"[1], ".repeat(1000),
         ] {
-            assert_eq!(Scan::of(text).too_deep, None, "{text}");
+            assert_eq!(Scan::of(text).exceeded, None, "{text}");
         }
     }
 

@@ -243,11 +243,12 @@ fn a_long_text_is_refused() {
 
 #[test]
 fn a_long_list_is_not_blamed_on_aliases() {
-    let list = |entry: &str| format!("title: a\nsizes: [{}]\n", entry.repeat(1_100_000));
-    let fault = read(&list("1,")).expect_err("too many").into_first();
+    let list = |entry: &str, n: usize| format!("title: a\nsizes: [{}]\n", entry.repeat(n));
+    let fault = read(&list("1,", 1_100_000)).expect_err("too many").into_first();
     assert_eq!(fault.code, "yaml/too-large");
     assert_eq!(fault.message, "the file has more than a million values");
-    let fault = read(&format!("x: &a 1\n{}", list("*a,"))).expect_err("too many").into_first();
+    let anchor = format!("x: &a [{}]\n", "1,".repeat(1000));
+    let fault = read(&(anchor + &list("*a,", 1100))).expect_err("too many").into_first();
     assert!(fault.message.contains("aliases"), "{fault}");
 }
 
@@ -288,24 +289,50 @@ proptest::proptest! {
 #[test]
 fn keys_of_the_top_level_are_found_in_every_form() {
     for text in ["template: t\na: 1", "{\"template\": \"t\"}", "{a: 1, template: t}"] {
-        assert!(top_level(text, "template"), "{text}");
-        assert!(!top_level(text, "mesh"), "{text}");
+        assert!(top_level(text, &["template"]), "{text}");
+        assert!(!top_level(text, &["mesh"]), "{text}");
+        assert!(!top_level(text, &["template", "mesh"]), "{text}");
     }
-    assert!(!top_level("a: {template: t}", "template"));
+    assert!(!top_level("a: {template: t}", &["template"]));
     // not a document: the error that follows says what kind of file it looks like
-    assert!(top_level("mesh: [\nbodies: x", "mesh"));
+    assert!(top_level("mesh: [\nbodies: x", &["mesh", "bodies"]));
+    // too large to be read as a document: only words at the begin of a line are keys
+    let large = format!("{{template: t}} #{}", " ".repeat(LARGEST));
+    assert!(!top_level(&large, &["template"]));
+    assert!(top_level(&format!("{large}\ntemplate: t"), &["template"]));
 }
 
 #[test]
 fn very_many_entries_between_braces_are_refused_at_once() {
     let entries = |n: usize| format!("a: {{b: 0{}}}", ", c: 0".repeat(n));
-    let scan = |text: &str| Scan::of(text).too_many;
+    let scan = |text: &str| Scan::of(text).exceeded.map(|e| e.0);
     assert_eq!(scan(&entries(10_000)), None);
-    assert!(scan(&entries(10_001)).is_some());
+    assert_eq!(scan(&entries(10_001)), Some(Limit::Entries));
     // lists are read in time, and braces in texts are no braces
     assert_eq!(scan(&format!("a: [0{}]", ", 0".repeat(20_000))), None);
     assert_eq!(scan(&format!("a: \"{{{}\"", ", ".repeat(20_000))), None);
     let refused = parse::<BTreeMap<String, f64>>(&entries(200_000), Path::new("f.yaml"));
     let code = refused.map(|_| ()).expect_err("too many").into_first().code;
     assert_eq!(code, "yaml/too-large");
+}
+
+#[test]
+fn more_than_a_million_values_are_refused_before_they_are_read() {
+    let scan = |text: &str| Scan::of(text).exceeded.map(|e| e.0);
+    let forms: [fn(usize) -> String; 3] = [
+        |n| format!("a: [0{}]", ", 0".repeat(n - 2)),
+        |n| format!("a:\n{}", "- 0\n".repeat(n - 1)),
+        |n| "a: 0\n".repeat(n),
+    ];
+    for form in forms {
+        assert_eq!(scan(&form(1_000_000)), None);
+        assert_eq!(scan(&form(1_000_002)), Some(Limit::Values));
+        let refused = parse::<BTreeMap<String, f64>>(&form(1_000_002), Path::new("f.yaml"));
+        let fault = refused.map(|_| ()).expect_err("too many").into_first();
+        assert_eq!(fault.message, "the file has more than a million values");
+    }
+    // neither texts nor comments are values
+    for text in ["a: \"", "# ", "a: |\n  "] {
+        assert_eq!(scan(&format!("{text}{}\"", "[0, 0] ".repeat(400_000))), None, "{text}");
+    }
 }
