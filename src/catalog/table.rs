@@ -60,7 +60,7 @@ impl RawTable {
         };
         let too_large = |line: usize, what: &str, most: usize| CatalogError::Csv {
             at: Source { file: file.to_owned(), line },
-            message: format!("more than {most} {what} are not read"),
+            message: format!("more than {most} {what} are not read: leave out what no joint uses"),
         };
         let headers: Vec<String> =
             reader.headers().map_err(fault)?.iter().map(str::to_owned).collect();
