@@ -14,8 +14,9 @@ fn main() -> std::io::Result<()> {
     let mut list = String::from("&[\n");
     for file in &files {
         let name = file.file_stem().unwrap_or_default().to_string_lossy();
-        writeln!(list, "    ({:?}, include_str!({:?})),", name, file)
-            .map_err(std::io::Error::other)?;
+        // the text itself, not its path: a build stays valid when its folder moves
+        let text = std::fs::read_to_string(file)?;
+        writeln!(list, "    ({name:?}, {text:?}),").map_err(std::io::Error::other)?;
     }
     list.push_str("]\n");
     let out = std::env::var("OUT_DIR").map_err(std::io::Error::other)?;
