@@ -16,9 +16,18 @@ const LONGEST_LINE: usize = 400;
 /// without excerpt.
 const READ_LIMIT: u64 = 256 << 20;
 
-/// The faults as text for people, one after the other, ending with a newline.
+/// Most faults that are shown to people; programs get all of them.
+const SHOWN: usize = 30;
+
+/// The faults as text for people, one after the other, ending with a newline. Of very many faults,
+/// the first ones and the number of the others.
 pub fn text(faults: &Diagnostics, colour: bool) -> String {
-    faults.iter().map(|d| one(d, colour) + "\n").collect()
+    let mut out: String = faults.iter().take(SHOWN).map(|d| one(d, colour) + "\n").collect();
+    let more = faults.iter().count().saturating_sub(SHOWN);
+    if more > 0 {
+        out += &format!("and {more} more faults; correct the first ones and try again\n");
+    }
+    out
 }
 
 /// The faults for programs, one JSON object per line: `{"code", "fault", "message", "place":

@@ -3,7 +3,7 @@
 use super::bolt::{BoltGrade, BoltSize};
 use super::error::CatalogError;
 use super::factor::{FrictionClass, NationalAnnex, PartialFactor};
-use super::profile::{IProfile, PROPERTY_TOLERANCE};
+use super::profile::{COARSE_TOLERANCE, IProfile, PROPERTY_TOLERANCE};
 use super::steel::Steel;
 use super::table::{Entry, Named, RawTable};
 use super::{Catalog, Provenance};
@@ -108,7 +108,7 @@ impl Catalog {
     /// Adds every `.csv` file of a folder, in the order of the file names. A name that already
     /// exists is refused with both places. A section is added with a warning
     /// ([`Catalog::warnings`]) if its tabulated A or I_y differs from the recomputed one by more
-    /// than 0.5 %. On an error the catalogue is left unchanged.
+    /// than 0.5 %, or another property by more than 2 %. On an error the catalogue is left unchanged.
     pub fn merge(&mut self, path: &Path) -> Result<(), CatalogError> {
         let io = |cause| CatalogError::Io { path: path.to_owned(), cause };
         let mut files = Vec::new();
@@ -188,16 +188,25 @@ fn insert_all<T: Entry>(into: &mut Named<T>, rows: Vec<T>) -> Result<(), Catalog
 }
 
 fn property_warning(profile: &IProfile) -> Option<Diagnostic> {
-    let [area, i_y] = profile.mismatch();
-    let worst = if area.abs() > i_y.abs() { ("A", area) } else { ("I_y", i_y) };
-    (worst.1.abs() > PROPERTY_TOLERANCE).then(|| {
+    let differences = profile.properties().map(|(column, given, outline)| {
+        let fine = matches!(column, "A_cm2" | "Iy_cm4");
+        let limit = if fine { PROPERTY_TOLERANCE } else { COARSE_TOLERANCE };
+        (column, outline / given - 1.0, limit)
+    });
+    let worst = differences.into_iter().filter(|(_, x, limit)| x.abs() > *limit);
+    let worst = worst.max_by(|a, b| (a.1.abs() / a.2).total_cmp(&(b.1.abs() / b.2)));
+    worst.map(|(column, difference, limit)| {
+        let name = match column {
+            "Iy_cm4" => "I_y",
+            "Iz_cm4" => "I_z",
+            _ => column.rsplit_once('_').map_or(column, |(name, _)| name),
+        };
         let message = format!(
-            "{} recomputed from the dimensions of {} differs from the table by {:+.2} % (limit {} \
-             %)",
-            worst.0,
+            "{name} recomputed from the dimensions of {} differs from the table by {:+.2} % \
+             (limit {} %)",
             profile.name,
-            100.0 * worst.1,
-            100.0 * PROPERTY_TOLERANCE
+            100.0 * difference,
+            100.0 * limit
         );
         Diagnostic::input("catalog/section-mismatch", message)
             .file(&profile.source.file)

@@ -69,6 +69,12 @@ pub struct IProfile {
 /// without a warning (0.5 %).
 pub const PROPERTY_TOLERANCE: f64 = 0.005;
 
+/// The same for the other properties (2 %): tables round them more coarsely.
+pub const COARSE_TOLERANCE: f64 = 0.02;
+
+/// Difference from which on a row is refused (10 %): a digit or a unit is wrong.
+const CONTRADICTION: f64 = 0.1;
+
 impl IProfile {
     pub(super) const COLUMNS: Columns = Columns {
         kind: "I profiles",
@@ -107,10 +113,52 @@ impl IProfile {
     pub fn outline_i_y(&self) -> f64 {
         let clear = self.h - 2.0 * self.tf;
         let plates = (self.b * self.h.powi(3) - (self.b - self.tw) * clear.powi(3)) / 12.0;
-        let area = fillet_area(self.r);
-        let offset = self.r * (10.0 - 3.0 * PI) / (12.0 - 3.0 * PI);
+        plates + self.fillets_i(clear / 2.0 - fillet_offset(self.r))
+    }
+
+    /// The same about the weak axis \[mm⁴\].
+    pub fn outline_i_z(&self) -> f64 {
+        let clear = self.h - 2.0 * self.tf;
+        let plates = (2.0 * self.tf * self.b.powi(3) + clear * self.tw.powi(3)) / 12.0;
+        plates + self.fillets_i(self.tw / 2.0 + fillet_offset(self.r))
+    }
+
+    /// Second moment of area of the four fillets about an axis at this distance of their centroids
+    /// \[mm⁴\].
+    fn fillets_i(&self, distance: f64) -> f64 {
+        let (area, offset) = (fillet_area(self.r), fillet_offset(self.r));
         let own = (1.0 - 5.0 * PI / 16.0) * self.r.powi(4) - area * offset * offset;
-        plates + 4.0 * (own + area * (clear / 2.0 - offset).powi(2))
+        4.0 * (own + area * distance.powi(2))
+    }
+
+    /// Plastic section modulus of the outline about the strong axis \[mm³\].
+    pub fn outline_w_pl_y(&self) -> f64 {
+        let half = self.h / 2.0 - self.tf;
+        self.b * self.tf * (self.h - self.tf)
+            + self.tw * half * half
+            + 4.0 * fillet_area(self.r) * (half - fillet_offset(self.r))
+    }
+
+    /// Plastic section modulus of the outline about the weak axis \[mm³\].
+    pub fn outline_w_pl_z(&self) -> f64 {
+        self.tf * self.b * self.b / 2.0
+            + (self.h - 2.0 * self.tf) * self.tw * self.tw / 4.0
+            + 4.0 * fillet_area(self.r) * (self.tw / 2.0 + fillet_offset(self.r))
+    }
+
+    /// Column, tabulated value and value of the outline of every property, in the units of the
+    /// table.
+    pub fn properties(&self) -> [(&'static str, f64, f64); 7] {
+        let (i_y, i_z) = (self.outline_i_y(), self.outline_i_z());
+        [
+            ("A_cm2", self.area, self.outline_area() / 1e2),
+            ("Iy_cm4", self.i_y, i_y / 1e4),
+            ("Iz_cm4", self.i_z, i_z / 1e4),
+            ("Wel_y_cm3", self.w_el_y, 2e-3 * i_y / self.h),
+            ("Wpl_y_cm3", self.w_pl_y, self.outline_w_pl_y() / 1e3),
+            ("Wel_z_cm3", self.w_el_z, 2e-3 * i_z / self.b),
+            ("Wpl_z_cm3", self.w_pl_z, self.outline_w_pl_z() / 1e3),
+        ]
     }
 
     /// Relative differences (outline − tabulated)/tabulated of the area and of the second moment of
@@ -184,8 +232,25 @@ impl IProfile {
             let least = profile.tw + 2.0 * profile.r;
             return Err(row.fault("b_mm", format!("{} must exceed tw + 2 r = {least}", profile.b)));
         }
+        for (column, given, outline) in profile.properties() {
+            if (outline / given - 1.0).abs() > CONTRADICTION {
+                return Err(row.fault(
+                    column,
+                    format!(
+                        "{given} contradicts the dimensions of this row, which give {outline:.4}; \
+                         at most {} % may lie between them",
+                        100.0 * CONTRADICTION
+                    ),
+                ));
+            }
+        }
         Ok(profile)
     }
+}
+
+/// Distance of the centroid of a fillet from the two faces that it joins \[mm\].
+fn fillet_offset(r: f64) -> f64 {
+    r * (10.0 - 3.0 * PI) / (12.0 - 3.0 * PI)
 }
 
 /// Area between a root corner and its quarter circle \[mm²\].

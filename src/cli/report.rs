@@ -1,7 +1,7 @@
 //! `bracket report`: the printed report of a finished result.
 
 use super::common::{CommandResult, Common, Format};
-use crate::diag::ExitStatus;
+use crate::diag::{Diagnostic, Diagnostics, ExitStatus};
 use crate::driver::interrupt::Interrupt;
 use crate::report::console::log::Log;
 use crate::report::console::out;
@@ -11,7 +11,9 @@ use crate::report::sheet::head::Paper;
 use crate::report::sheet::{Extent, PDF_FILE};
 use crate::result::digests::{DIGESTS_FILE, Digests};
 use crate::spec::connection::Language;
-use std::path::PathBuf;
+use std::fs::File;
+use std::io::Read;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// Print the report of a finished result as PDF.
@@ -62,6 +64,26 @@ pub enum PaperArg {
     Letter,
 }
 
+/// Refuses a file that is no PDF: it is not a report that a new one may replace.
+fn free_or_pdf(path: &Path) -> Result<(), Diagnostics> {
+    let refuse = |what: &str| {
+        let message = format!("`{}` {what}, and is not replaced", path.display());
+        Err(Diagnostic::input("cli/report-out", message)
+            .help("name a new file with --out, or an earlier report")
+            .into())
+    };
+    // a missing folder, and a folder in place of a file, are faults of writing
+    if path.is_dir() || path.symlink_metadata().is_err() {
+        return Ok(());
+    }
+    if !path.is_file() {
+        return refuse("is not a regular file");
+    }
+    let mut start = [0; 5];
+    let read = File::open(path).and_then(|mut f| f.read_exact(&mut start));
+    if read.is_ok() && start == *b"%PDF-" { Ok(()) } else { refuse("is not a PDF") }
+}
+
 /// Runs `bracket report`.
 pub fn run(args: &ReportArgs, common: &Common) -> CommandResult {
     let interrupt = Interrupt::watch()?;
@@ -73,6 +95,9 @@ pub fn run(args: &ReportArgs, common: &Common) -> CommandResult {
         PaperArg::Letter => Paper::Letter,
     };
     let path = args.out.clone().unwrap_or_else(|| args.folder.join(PDF_FILE));
+    if args.out.is_some() {
+        free_or_pdf(&path)?;
+    }
     let words = data.words();
     let bytes = printed::pdf(&data, &words, &args.folder, extent, paper)?;
     // a moment in which a signal waits, so that no half of a file is left

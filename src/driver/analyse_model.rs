@@ -24,6 +24,9 @@ use std::path::Path;
 use std::rc::Rc;
 use std::sync::Arc;
 
+/// The mesh of an adaptive analysis as it was given, in the result folder.
+pub const GIVEN_MESH: &str = "input/mesh.msh";
+
 /// Analyses a model file and writes its result into `folder`; `quiet`: show nothing on standard
 /// error.
 pub fn analyse_model(
@@ -53,6 +56,10 @@ pub fn analyse_model(
     let folder = ResultFolder::begin(folder)?;
     limits.interrupt.begin(&log, WHEN_INTERRUPTED, folder.give_up());
     folder.write("mesh.msh", &mesh_bytes)?;
+    if file.adapt.is_some() {
+        // the best bounds may be on other meshes: `verify` compares those with the given one
+        folder.write(GIVEN_MESH, &mesh_bytes)?;
+    }
     let input_read = yaml::to_string(&file)?;
     file.mesh = "mesh.msh".into();
     let stem =

@@ -4,15 +4,19 @@
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::driver::spec_file::{self, SpecFile};
 use crate::driver::verify_cases::{frame_differences, mirror};
+use crate::driver::verify_mesh::{mesh_path, model_paths, read_model};
 use crate::driver::verify_model::of_model;
 use crate::driver::verify_spec::of_spec;
 use crate::model::file::ModelFile;
 use crate::report::markdown::report_data::{REPORT_DATA_FILE, ReportData};
-use crate::result::digests::{DIGESTS_FILE, Digests};
+use crate::result::digests::{self, DIGESTS_FILE, Digests};
+use crate::result::file_names::entry_stem;
 use crate::result::result_file::{RESULT_FILE, ResultFile};
 use crate::result::verify::{self, Finding, Reference};
 use crate::spec::yaml;
-use std::path::Path;
+use serde_json::Value;
+use std::collections::BTreeSet;
+use std::path::{Component, Path};
 
 /// Keys of `result.json` whose values no file of a result proves, as `docs/results.md` lists them.
 /// `[]` stands for every entry of a list; the keys below a listed one are recorded too.
@@ -36,7 +40,7 @@ const RECORDED_TOO: [&str; 5] = [
     "digits of `certificate` below 1e-13",
     "of `history`: sizes and gaps of meshes without a best bound, `so_far` where it is not strict",
     "an upper bound `unbounded` that is not strict",
-    "`input_hash` of a model whose first mesh was refined",
+    "the name of the case of a `model.yaml`, which is that of its folder",
     "reports, pictures and drawings; all of report.json but the input",
 ];
 
@@ -74,7 +78,8 @@ pub fn verify_folder(folder: &Path) -> Result<Verified, Diagnostics> {
     let result =
         ResultFile::from_json(&String::from_utf8_lossy(&text)).map_err(Diagnostic::from)?;
     let input = input(folder);
-    let mut refuted = differences_of_digests(folder);
+    let mut refuted = differences_of_digests(folder, &result);
+    refuted.extend(unknown_keys(&text, &result));
     let reference = match &input {
         Input::Model(..) => Some(Reference::default()),
         Input::Spec(spec, _) => {
@@ -93,13 +98,19 @@ pub fn verify_folder(folder: &Path) -> Result<Verified, Diagnostics> {
     match &input {
         Input::Model(file, data) => {
             refuted.extend(of_model(folder, &result, file, data));
-            recomputed.push("the model, from the input; a model has no demand".into());
+            let what = "the model, from the input; `input_hash`, from model and mesh; a model has \
+                        no demand";
+            recomputed.push(what.into());
         }
         Input::Spec(spec, data) => {
             refuted.extend(frame_differences(folder, &result, spec, data));
             refuted.extend(of_spec(&result, spec));
-            let what = "the models, `checks`, demands and verdicts, from the spec; the meshes, \
-                        compared with its solids";
+            let what = if result.cases.is_empty() {
+                "`checks`, demands and verdicts, from the spec"
+            } else {
+                "the models, `checks`, demands and verdicts, from the spec; the meshes, compared \
+                 with its solids"
+            };
             recomputed.push(what.into());
         }
         // who takes the input away could forge everything that follows from it
@@ -109,7 +120,11 @@ pub fn verify_folder(folder: &Path) -> Result<Verified, Diagnostics> {
         )),
     }
     let keys = format!("the keys {}", RECORDED.map(|key| format!("`{key}`")).join(", "));
-    let recorded = [keys].into_iter().chain(RECORDED_TOO.map(String::from)).collect();
+    let mut recorded: Vec<String> =
+        [keys].into_iter().chain(RECORDED_TOO.map(String::from)).collect();
+    if result.cases.is_empty() && !result.asked.is_empty() {
+        recorded.push("`input_hash`, because no case is finished".into());
+    }
     Ok(Verified { bounds, refuted, recomputed, recorded })
 }
 
@@ -133,14 +148,41 @@ fn input(folder: &Path) -> Input {
     }
 }
 
+/// A sentence about a key of `result.json` that no result has.
+fn unknown_keys(text: &[u8], result: &ResultFile) -> Option<String> {
+    let given: Value = serde_json::from_slice(text).ok()?;
+    let key = first_unknown(&given, &serde_json::to_value(result).ok()?, "")?;
+    Some(format!("`{key}` is no key of {RESULT_FILE}"))
+}
+
+/// Path of the first key of `given` that `known` lacks.
+fn first_unknown(given: &Value, known: &Value, place: &str) -> Option<String> {
+    match (given, known) {
+        (Value::Object(given), Value::Object(known)) => given.iter().find_map(|(key, value)| {
+            let path = if place.is_empty() { key.clone() } else { format!("{place}.{key}") };
+            match known.get(key) {
+                Some(known) => first_unknown(value, known, &path),
+                // a value that was not computed may be written as null
+                None => (!value.is_null()).then_some(path),
+            }
+        }),
+        (Value::Array(given), Value::Array(known)) => {
+            let mut pairs = given.iter().zip(known).enumerate();
+            pairs.find_map(|(i, (a, b))| first_unknown(a, b, &format!("{place}[{i}]")))
+        }
+        (Value::Array(_) | Value::Object(_), _) => Some(place.into()),
+        _ => None,
+    }
+}
+
 /// Sentences about the files that are not those of the run.
-fn differences_of_digests(folder: &Path) -> Vec<String> {
+fn differences_of_digests(folder: &Path, result: &ResultFile) -> Vec<String> {
     match Digests::read(folder) {
         Ok(Some(digests)) => {
             let mut out = digests.differences(folder);
-            if !digests.lists(RESULT_FILE) {
-                out.push(format!("{DIGESTS_FILE} does not list {RESULT_FILE}"));
-            }
+            let files = files_of(folder, result);
+            let lost = files.iter().filter(|name| !digests.lists(name));
+            out.extend(lost.map(|name| format!("{DIGESTS_FILE} does not list {name}")));
             out
         }
         Ok(None) => vec![format!(
@@ -148,4 +190,35 @@ fn differences_of_digests(folder: &Path) -> Vec<String> {
         )],
         Err(e) => vec![format!("{DIGESTS_FILE} cannot be read: {e}")],
     }
+}
+
+/// Names of the files that a verification reads.
+fn files_of(folder: &Path, result: &ResultFile) -> BTreeSet<String> {
+    let mut out = BTreeSet::from([RESULT_FILE.to_owned(), REPORT_DATA_FILE.to_owned()]);
+    let kept = |name: &String| name.starts_with("fields/") || name.starts_with("input/");
+    out.extend(digests::files(folder).unwrap_or_default().into_iter().filter(kept));
+    for (i, case) in result.cases.iter().enumerate() {
+        for path in model_paths(folder, &entry_stem(&result.cases[..i], case)) {
+            out.extend(name_within(folder, &path));
+            if let Ok(model) = read_model(&path) {
+                let mesh = mesh_path(&path, &model);
+                out.insert(name_within(folder, &mesh).unwrap_or(model.mesh));
+            }
+        }
+    }
+    out
+}
+
+/// The name of a file relative to the folder, as the digests list it; `None` outside the folder.
+fn name_within(folder: &Path, path: &Path) -> Option<String> {
+    let mut names: Vec<String> = Vec::new();
+    for part in path.strip_prefix(folder).ok()?.components() {
+        match part {
+            Component::Normal(name) => names.push(name.to_string_lossy().into_owned()),
+            Component::ParentDir => _ = names.pop()?,
+            Component::CurDir => {}
+            Component::RootDir | Component::Prefix(_) => return None,
+        }
+    }
+    Some(names.join("/"))
 }

@@ -4,7 +4,7 @@ use crate::diag::{Diagnostic, Diagnostics};
 use crate::driver::spec_cases::AskedCase;
 use crate::driver::spec_file::SpecFile;
 use crate::geometry::Scene;
-use crate::mesh::naming::name_and_check;
+use crate::mesh::naming::{boundary_differences, name_and_check};
 use crate::mesh::{NamedFaces, TetMesh, msh};
 use crate::model::file::ModelFile;
 use crate::result::verify::first_difference;
@@ -23,6 +23,11 @@ pub fn model_paths(folder: &Path, stem: &str) -> Vec<PathBuf> {
         files.extend(beside.exists().then_some(beside));
     }
     files
+}
+
+/// The mesh file that a stored model names.
+pub fn mesh_path(model: &Path, stored: &ModelFile) -> PathBuf {
+    model.parent().unwrap_or(Path::new("")).join(&stored.mesh)
 }
 
 /// Reads a stored model file.
@@ -62,7 +67,7 @@ impl<'a> Meshes<'a> {
         let mut out = Vec::new();
         for path in model_paths(folder, stem) {
             let stored = read_model(&path)?;
-            let file = path.parent().unwrap_or(folder).join(&stored.mesh);
+            let file = mesh_path(&path, &stored);
             let file = file.canonicalize().unwrap_or(file);
             if !self.read.contains_key(&file) {
                 let mesh = msh::read(&file)?;
@@ -80,8 +85,8 @@ impl<'a> Meshes<'a> {
     }
 }
 
-/// Differences between a mesh and the solids of the joint: volumes, areas, and the triangles of
-/// every named face.
+/// Differences between a mesh and the solids of the joint: volumes, areas, the triangles of every
+/// named face, and the surface of every body.
 fn mesh_differences(mesh: &TetMesh, scene: &Scene<'_>) -> Vec<String> {
     let bodies = |names: &mut Vec<&str>| {
         names.sort_unstable();
@@ -101,7 +106,9 @@ fn mesh_differences(mesh: &TetMesh, scene: &Scene<'_>) -> Vec<String> {
     let mut names = wanted.keys().chain(stored.keys());
     let differs = names.find(|name| stored.get(*name) != wanted.get(*name));
     let what = |name: &&str| format!("the face {name} of the mesh is not that of the joint");
-    differs.map(what).into_iter().collect()
+    let mut out: Vec<String> = differs.map(what).into_iter().collect();
+    out.extend(boundary_differences(&found, scene));
+    out
 }
 
 /// The triangles of every named face.

@@ -1,18 +1,23 @@
 //! What the model file of a result gives beside its bounds.
 
 use crate::checks::verdict::Verdict;
+use crate::diag::Diagnostics;
+use crate::driver::analyse_model::GIVEN_MESH;
 use crate::driver::input_hash::model_hash;
 use crate::driver::run_cases::safe_utilisation;
-use crate::driver::verify_mesh::{model_paths, read_model};
+use crate::driver::verify_mesh::{mesh_path, model_paths, read_model};
 use crate::driver::verify_spec::compared;
+use crate::mesh::merge::merge_coincident;
+use crate::mesh::msh;
+use crate::mesh::shape::Shape;
 use crate::model::file::{ModelFile, Nodes};
 use crate::report::markdown::report_data::ReportData;
-use crate::result::case_result::CaseResult;
 use crate::result::file_names::file_stem;
 use crate::result::result_file::ResultFile;
 use crate::result::verify::first_difference;
+use crate::text_file;
 use serde_json::json;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Differences of a result of a model file, which has one case, no checks and no demand.
 pub fn of_model(
@@ -46,48 +51,67 @@ pub fn of_model(
     ));
     let kinds = [case.analysis, file.analysis].map(|k| json!(k));
     out.extend(first_difference(&kinds[0], &kinds[1], &format!("{}: analysis", case.name)));
+    if case.history.len() > 1 && file.adapt.is_none() {
+        out.push("`history` has several meshes, and the model asks for one".into());
+    }
+    let mut meshes = Vec::new();
     for path in model_paths(folder, &file_stem(&case.name)) {
         match read_model(&path) {
-            Ok(stored) => out.extend(model_difference(&stored, file, case, &path)),
+            Ok(stored) => {
+                out.extend(model_difference(&stored, file, &path));
+                meshes.push(mesh_path(&path, &stored));
+            }
             Err(faults) => out.push(faults.into_first().message),
         }
     }
-    out.extend(hash_difference(folder, result, data, case));
+    let given =
+        if file.adapt.is_some() { Some(folder.join(GIVEN_MESH)) } else { meshes.first().cloned() };
+    out.extend(given.and_then(|given| hash_difference(&given, result, data)));
+    if file.adapt.is_some() {
+        out.extend(shapes_differ(&folder.join(GIVEN_MESH), &meshes));
+    }
     out
 }
 
+/// Differences between the bodies and faces of the mesh of the input and those of the meshes that
+/// adaptation made of it.
+fn shapes_differ(given: &Path, meshes: &[PathBuf]) -> Vec<String> {
+    // adaptation starts from nodes that the bodies share
+    let shape = |path: &Path| -> Result<Shape, Diagnostics> {
+        let mut mesh = msh::read(path)?;
+        merge_coincident(&mut mesh)?;
+        Ok(Shape::of(&mesh))
+    };
+    let given = match shape(given) {
+        Ok(shape) => shape,
+        Err(faults) => return vec![faults.into_first().message],
+    };
+    let difference = |path: &PathBuf| match shape(path) {
+        Ok(found) => given.difference(&found).map(|what| {
+            let name = path.file_name().unwrap_or_default().to_string_lossy();
+            format!("{name}: {what} is not that of the mesh of the input")
+        }),
+        Err(faults) => Some(faults.into_first().message),
+    };
+    meshes.iter().filter_map(difference).collect()
+}
+
 /// The difference between a stored model and that of the input.
-fn model_difference(
-    stored: &ModelFile,
-    given: &ModelFile,
-    case: &CaseResult,
-    path: &Path,
-) -> Option<String> {
+fn model_difference(stored: &ModelFile, given: &ModelFile, path: &Path) -> Option<String> {
     let mut wanted = ModelFile { mesh: stored.mesh.clone(), ..given.clone() };
     // the nodes of a refined mesh are shared
-    if case.history.len() > 1 && stored.nodes == Nodes::Shared {
+    if given.adapt.is_some() && stored.nodes == Nodes::Shared {
         wanted.nodes = Nodes::Shared;
     }
     let place = path.file_name().unwrap_or_default().to_string_lossy();
     first_difference(&json!(stored), &json!(wanted), &place)
 }
 
-/// The difference of the hash of the input. After refinement `mesh.msh` may be another mesh than
-/// that of the input.
-fn hash_difference(
-    folder: &Path,
-    result: &ResultFile,
-    data: &ReportData,
-    case: &CaseResult,
-) -> Option<String> {
-    let Ok(mesh) = std::fs::read(folder.join("mesh.msh")) else {
-        return Some("mesh.msh cannot be read".into());
+/// The difference of the hash of the input, which contains the given mesh.
+fn hash_difference(given: &Path, result: &ResultFile, data: &ReportData) -> Option<String> {
+    let Ok(mesh) = text_file::bytes(given) else {
+        return Some(format!("{} cannot be read", given.display()));
     };
     let found = model_hash(&data.input_text, &mesh);
-    let refined = case.history.len() > 1;
-    if refined {
-        None
-    } else {
-        first_difference(&json!(result.input_hash), &json!(found), "input_hash")
-    }
+    first_difference(&json!(result.input_hash), &json!(found), "input_hash")
 }

@@ -22,6 +22,7 @@ pub mod polyhedron;
 mod process;
 pub mod quality;
 pub mod restore;
+pub mod shape;
 pub mod size_field;
 pub mod split;
 pub mod tet;

@@ -2,10 +2,12 @@
 //! mesh agrees with the joint.
 
 mod agreement;
+mod boundary;
 pub(super) mod surface;
 mod triangles;
 
 pub use agreement::{AreaCheck, Checks, VolumeCheck};
+pub use boundary::boundary_differences;
 
 use super::topology::{FaceRow, FaceTable};
 use super::{NamedFaces, TetMesh};

@@ -91,12 +91,12 @@ pub enum Bounds {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MaterialEntry {
-    /// Young's modulus \[MPa\], > 0.
+    /// Young's modulus \[MPa\], 1e-9 to 1e15.
     #[serde(rename = "E")]
     pub e: f64,
-    /// Poisson's ratio, −1 < ν < 0.5.
+    /// Poisson's ratio, −1 < ν ≤ 0.49999.
     pub nu: f64,
-    /// Yield strength \[MPa\], > 0; absent: never yields.
+    /// Yield strength \[MPa\], 1e-9 to 1e9; absent: never yields.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub fy: Option<f64>,
 }

@@ -36,6 +36,9 @@ const RIGID: f64 = 1e8;
 /// Margins of contact tractions inside their cones, relative to the pressure; the first with which
 /// a balance is found is used.
 const INSIDE: [f64; 7] = [1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4];
+/// Work of forces on a motion, over that with all of them along its largest displacement, below
+/// which it is rounding.
+const ROUNDING: f64 = 1e-12;
 /// Live tractions over the yield radius below which they count as zero.
 const NOTHING: f64 = 1e-6;
 
@@ -181,16 +184,24 @@ fn balanced(
         Ok(f.iter().zip(&p).map(|(a, b)| a - b).collect())
     };
     let (live, dead) = (forces(Loads::LIVE)?, forces(Loads::DEAD)?);
+    // rounding in place of no work would tie the load factor to forces that are zero; a motion
+    // along the axes has rounding in its other components
+    let work = |motion: &[f64], forces: &[f64]| {
+        let work = dot(motion, forces);
+        let largest = motion.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+        let all = largest * forces.iter().map(|f| f.abs()).sum::<f64>();
+        if work.abs() > ROUNDING * all { work } else { 0.0 }
+    };
     // the load factor is one more force, on a half-line
     let rows: Vec<Vec<f64>> = modes
         .iter()
         .map(|m| {
             let mut row = interface_work(statics, &m.unknowns);
-            row.push(dot(&m.unknowns, &live));
+            row.push(work(&m.unknowns, &live));
             row
         })
         .collect();
-    let needed: Vec<f64> = modes.iter().map(|m| -dot(&m.unknowns, &dead)).collect();
+    let needed: Vec<f64> = modes.iter().map(|m| -work(&m.unknowns, &dead)).collect();
     let terms_of =
         |motion: &[f64]| absolute_work(motion, &dead) + factor.abs() * absolute_work(motion, &live);
     let terms: Vec<f64> = modes.iter().map(|m| terms_of(&m.unknowns)).collect();

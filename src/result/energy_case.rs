@@ -3,10 +3,10 @@
 use crate::analysis::energy_pass::EnergyPass;
 use crate::analysis::memory::peak_memory_mib;
 use crate::analysis::program_outcome::ProgramOutcome;
-use crate::certify::TOLERANCE;
 use crate::certify::faces::contact_faces;
 use crate::certify::plastic_certificate::body_states;
 use crate::certify::welds::{Utilisation, demands};
+use crate::certify::{LowerBound, TOLERANCE};
 use crate::math::vec3;
 use crate::model::AnalysisModel;
 use crate::model::analysis::{Traction, Weld};
@@ -133,7 +133,15 @@ pub(crate) fn only_load(model: &AnalysisModel) -> Option<LoadSize> {
 fn program_warnings(pass: &EnergyPass) -> Vec<String> {
     // an admissible motion proves the reason; the status of the static program adds nothing
     if let Some(m) = pass.kinematic.as_ref().and_then(|r| r.mechanism.as_ref()) {
-        return vec![format!("no equilibrium exists under these loads: {m}")];
+        let stands = pass.lower.as_ref().is_some_and(LowerBound::is_strict);
+        return vec![if stands {
+            // a motion cannot disprove a stress field in equilibrium: it is one of rounding
+            "the kinematic program gave no upper bound: numbers of the model differ too much in \
+             size (stiffness, loads or gaps)"
+                .into()
+        } else {
+            format!("no equilibrium exists under these loads: {m}")
+        }];
     }
     let mut warnings = Vec::new();
     // an unbounded program leaves the other one without solution: this is one fault and is reported

@@ -257,7 +257,7 @@ fn wrong_inputs_are_refused_with_place_and_cure() {
             CUBE.replace("fy: 235", "fy: 0"),
             "model/value",
             "cube.yaml:3",
-            "must be > 0 MPa",
+            "must be 1e-9 MPa to 1e9 MPa",
             "nothing yields",
         ),
         (CUBE.replace("fy: 235", "fy: .inf"), "yaml/not-finite", "cube.yaml:3", "fy", "finite"),

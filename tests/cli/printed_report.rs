@@ -247,6 +247,24 @@ fn refused_folders_and_files() {
             want(4, "report/write", "r", "cannot be written", "--out"),
         ),
         (
+            "a file of the user",
+            done(),
+            vec!["r", "--out", "joint.yaml"],
+            want(2, "cli/report-out", "joint.yaml", "is not a PDF", "an earlier report"),
+        ),
+        (
+            "a file of the result",
+            done(),
+            vec!["r", "--out", "r/result.json"],
+            want(2, "cli/report-out", "r/result.json", "is not a PDF", "an earlier report"),
+        ),
+        (
+            "a device",
+            done(),
+            vec!["r", "--out", "/dev/full"],
+            want(2, "cli/report-out", "/dev/full", "is not a regular file", "an earlier report"),
+        ),
+        (
             "a broken picture",
             done().file("r/drawing.svg", "<svg"),
             vec!["r", "--out", "x.pdf"],

@@ -7,6 +7,14 @@ use crate::model::analysis::Material;
 use crate::model::file::ModelFile;
 use crate::spec::analysis::AnalysisKind;
 
+/// Young's moduli with which the programs still find their bounds \[MPa\].
+const STIFFNESS: [f64; 2] = [1e-9, 1e15];
+/// Yield strengths with which they do \[MPa\].
+const STRENGTH: [f64; 2] = [1e-9, 1e9];
+/// Largest Poisson's ratio: above, the rounding of nearly incompressible elements is as large as
+/// their stiffness in shear.
+const LARGEST_NU: f64 = 0.499_99;
+
 /// The materials in the order of their names, and the material of each body.
 pub(super) fn read(
     file: &ModelFile,
@@ -23,15 +31,17 @@ pub(super) fn read(
                 faults.add("model/value", &format!("materials.{name}.{key}"), message, help);
             }
         };
-        check("E", m.e, m.e.is_finite() && m.e > 0.0, "> 0 MPa", "steel: 210000 MPa");
+        let within = |x: f64, limits: [f64; 2]| x >= limits[0] && x <= limits[1];
+        let limit = "1e-9 MPa to 1e15 MPa";
+        check("E", m.e, within(m.e, STIFFNESS), limit, "steel: 210000 MPa");
         let help = "steel: 0.3; for a nearly incompressible material write 0.4999";
-        check("nu", m.nu, m.nu > -1.0 && m.nu < 0.5, "> -1 and < 0.5", help);
+        check("nu", m.nu, m.nu > -1.0 && m.nu <= LARGEST_NU, "> -1 and at most 0.49999", help);
         if let Some(fy) = m.fy {
             check(
                 "fy",
                 fy,
-                fy.is_finite() && fy > 0.0,
-                "> 0 MPa",
+                within(fy, STRENGTH),
+                "1e-9 MPa to 1e9 MPa",
                 "leave `fy` out where nothing yields",
             );
         }

@@ -20,10 +20,12 @@ const WRONG: &[(&str, &str, &str, usize, &str, &str)] = &[
         "E: -1",
         "model/value",
         3,
-        "`E` of material `steel` is -1, it must be > 0",
+        "`E` of material `steel` is -1, it must be 1e-9 MPa to 1e15 MPa",
         "210000",
     ),
     ("nu: 0.3}", "nu: 0.5}", "model/value", 3, "`nu` of material `steel` is 0.5", "0.4999"),
+    ("nu: 0.3}", "nu: 0.499995}", "model/value", 3, "and at most 0.49999", "0.4999"),
+    ("nu: 0.3}", "nu: 0.3, fy: 1e12}", "model/value", 3, "1e-9 MPa to 1e9 MPa", "leave `fy` out"),
     ("nu: 0.3}", "nu: .nan}", "yaml/not-finite", 3, "materials.steel.nu", "finite"),
     (
         "nu: 0.3}",
