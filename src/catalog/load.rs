@@ -108,7 +108,8 @@ impl Catalog {
     /// Adds every `.csv` file of a folder, in the order of the file names. A name that already
     /// exists is refused with both places. A section is added with a warning
     /// ([`Catalog::warnings`]) if its tabulated A or I_y differs from the recomputed one by more
-    /// than 0.5 %, or another property by more than 2 %. On an error the catalogue is left unchanged.
+    /// than 0.5 %, or another property by more than 2 %, and refused above 10 %. On an error the
+    /// catalogue is left unchanged.
     pub fn merge(&mut self, path: &Path) -> Result<(), CatalogError> {
         let io = |cause| CatalogError::Io { path: path.to_owned(), cause };
         let mut files = Vec::new();

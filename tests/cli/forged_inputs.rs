@@ -186,7 +186,8 @@ fn the_mesh_of_another_section_is_refuted() {
         let w_pl = b * tf * (h - tf) + tw * (h / 2.0 - tf).powi(2);
         let w_pl_z = tf * b * b / 2.0 + (h - 2.0 * tf) * tw * tw / 4.0;
         format!(
-            "{head}\nOWN100,O,own,{h},{b},{tw:.6},{tf},0,9.4,12.0,{:.4},{:.4},{:.4},{:.4},{:.4},{:.4}\n",
+            "{head}\nOWN100,O,own,{h},{b},{tw:.6},{tf},0,9.4,12.0,{:.4},{:.4},{:.4},{:.4},{:.4},\
+             {:.4}\n",
             i_y / 1e4,
             i_z / 1e4,
             2e-3 * i_y / h,
