@@ -143,7 +143,14 @@ const ROWS: &[(&str, &str, &str, usize, &str, &str)] = &[
         "schema",
     ),
     ("E: 210000", "E: 210 GPa", "yaml/type", 3, "expected a number without a unit", "schema"),
-    ("nu: 0.3}", "nu: -1.5}", "model/value", 3, "it must be > -1 and at most 0.49999", "steel: 0.3"),
+    (
+        "nu: 0.3}",
+        "nu: -1.5}",
+        "model/value",
+        3,
+        "it must be > -1 and at most 0.49999",
+        "steel: 0.3",
+    ),
     ("analysis: elastic\n", "", "yaml/missing-key", 1, "lacks the key `analysis`", "add `analysis"),
     (
         "analysis: elastic",
