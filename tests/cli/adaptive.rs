@@ -176,6 +176,26 @@ fn wrong_options_of_a_study_are_refused() {
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
 
+/// One body can be lifted off the other, and the load pulls both sideways: rounding in the lift is
+/// no work of the load, and no mechanism at zero load.
+#[test]
+fn a_lift_without_work_is_no_mechanism() {
+    let model = "mesh: m.msh\nanalysis: limit\nmaterials: {s: {E: 3490, nu: 0.09, fy: 321}, t: {E: \
+                 184000, nu: 0.3, fy: 201}}\nbodies: {A: t, B: s}\ninterfaces: [{between: [A, B], \
+                 law: contact, mu: 0, friction: coulomb}]\nsupports: [{face: X0, fix: [x]}, \
+                 {face: Y0, fix: [y]}]\nrigid: [{face: Z0, components: [x, y, z]}]\nloads: \
+                 [{face: X1, traction: [9.8541, 0, 0]}]\nadapt: {target_gap: 0.01, max_passes: 3, \
+                 max_macro_tets: 400}\n";
+    let mesh = include_str!("../data/lift.msh");
+    let b = Bench::new().file("block.yaml", model).file("m.msh", mesh);
+    expect(&b, &["analyse", "block.yaml"], 0);
+    let c = case(&b.read("block/result.json"));
+    let (lower, upper) = (c["lower"].as_f64().expect("lower"), c["upper"].as_f64().expect("upper"));
+    // not above the stronger body alone, held in its plane: at most 2/√3 of fy
+    assert!(lower > 20.0 && lower < upper && upper < 321.0 / 9.8541 * 1.2, "{c}");
+    expect(&b, &["verify", "block"], 0);
+}
+
 /// The load does no work on the motion that only an unloaded contact resists. Rounding of that work
 /// must not draw the load factor to zero.
 #[test]
