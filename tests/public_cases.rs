@@ -1,10 +1,18 @@
-//! Inputs of `tests/cases` that people gave the program, and further ones of the same kinds. Each is
-//! answered by the compiled program as a user gets it.
+//! Inputs of `tests/cases` that people gave the program, and further ones of the same kinds. Each
+//! is answered by the compiled program as a user gets it.
 
 #[path = "public_cases/answer.rs"]
 mod answer;
 #[path = "cli/bench.rs"]
 mod bench;
+#[path = "public_cases/column_section.rs"]
+mod column_section;
+#[path = "public_cases/moment_and_axial.rs"]
+mod moment_and_axial;
+#[path = "public_cases/random_joints.rs"]
+mod random_joints;
+#[path = "public_cases/small_actions.rs"]
+mod small_actions;
 
 use answer::Answer;
 

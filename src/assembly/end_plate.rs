@@ -6,6 +6,7 @@ use super::error::AssemblyError;
 use super::factors::PartialFactors;
 use super::inputs::Inputs;
 use super::scope::Scope;
+use super::small_actions::SmallActions;
 use super::strength::Strength;
 use super::template::{EndPlateEntry, Template};
 use crate::catalog::{BoltGrade, BoltSize, IProfile};
@@ -45,6 +46,13 @@ pub struct ColumnSide {
     pub doubler_throat: f64,
     /// β for load cases that have no β of their own.
     pub beta: f64,
+    /// Axial force of the column beside the joint, tension positive \[N\], if the spec gives it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub axial: Option<f64>,
+    /// Largest moment of the column beside the joint about its strong axis \[N mm\], if the spec
+    /// gives it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub moment: Option<f64>,
     /// Largest longitudinal compressive stress at the root of the web, from N and M of the spec
     /// \[MPa\]; `None` if the spec gives neither.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -183,8 +191,12 @@ fn longitudinal(
 /// Loads that the hand checks leave out: loads at member ends that `hand_checks` does not name, and
 /// loads on sections in a case with actions at member ends, unless the spec gives the forces of the
 /// column.
-fn unseen(spec: &ConnectionSpec, entry: &EndPlateEntry) -> Vec<(String, String)> {
-    let loads = || spec.loads.iter().filter(|l| !l.of_polygon);
+fn unseen(
+    spec: &ConnectionSpec,
+    entry: &EndPlateEntry,
+    small: &SmallActions,
+) -> Vec<(String, String)> {
+    let loads = || spec.loads.iter().filter(|l| !l.of_polygon && small.counts(l));
     let demanded = |case: &str| loads().any(|l| l.name == case && l.end.is_some());
     let given = entry
         .column
@@ -211,11 +223,11 @@ fn unseen(spec: &ConnectionSpec, entry: &EndPlateEntry) -> Vec<(String, String)>
 }
 
 /// The values of the template's `hand_checks`; `None` if it has none.
-pub fn end_plate(
+pub(super) fn end_plate(
     spec: &ConnectionSpec,
     template: &Template,
-    inputs: &Inputs<'_>,
-    scope: &Scope,
+    (inputs, scope): (&Inputs<'_>, &Scope),
+    small: &SmallActions,
     actions: Vec<PlaneActions>,
 ) -> Result<Option<EndPlate>, AssemblyError> {
     let Some(entry) = &template.hand_checks else { return Ok(None) };
@@ -282,6 +294,8 @@ pub fn end_plate(
             Some(ColumnSide {
                 longitudinal: forces
                     .map_or(Ok(None), |m| longitudinal(column, m, &section, &steel))?,
+                axial: forces.and_then(|m| m.n_ed).map(|n| n.0),
+                moment: forces.and_then(|m| m.m_ed).map(|m| m.0),
                 shear: forces.and_then(|m| m.v_ed).map_or(0.0, |v| v.0),
                 steel,
                 stiffener_throat: or_none("stiffener_throat", &entry.stiffener_throat)?,
@@ -325,7 +339,7 @@ pub fn end_plate(
         preload: inputs.preload,
         category: spec.bolts.as_ref().and_then(|b| b.category),
         mu: inputs.mu,
-        unseen: unseen(spec, entry),
+        unseen: unseen(spec, entry, small),
         always_prying: spec.code.prying == PryingRule::Always,
         factors: inputs.partial_factors(),
     }))

@@ -8,9 +8,11 @@ use super::error::AssemblyError;
 use super::evaluate::{entry_fault, rules, within};
 use super::inputs::Inputs;
 use super::ledges;
+use super::member_ends;
 use super::origin::Origin;
 use super::part::Hole;
 use super::scope::{Resolved, Scope};
+use super::small_actions::{Idle, Neglected, SmallActions};
 use super::symmetry;
 use super::template::Template;
 use super::template_file::{self, ReadTemplate, Templates};
@@ -38,6 +40,12 @@ pub struct Joint {
     pub notes: Vec<String>,
     /// Lines of action of the bolts whose nuts are in contact.
     pub bolts: Vec<BoltLine>,
+    /// Actions at member ends that are neglected, in model and checks.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub neglected: Vec<Neglected>,
+    /// Load cases in which nothing acts, of which there is no model.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub idle: Vec<Idle>,
 }
 
 /// A template with its origin, read once for all the specs that use it.
@@ -112,19 +120,23 @@ pub fn build_from(
     let mut scope = inputs.scope();
     let resolved = scope.resolve(template, &inputs.given).map_err(&placed)?;
     rules(template, &scope).map_err(&placed)?;
-    let context = Context { spec: &spec.value, template, inputs: &inputs, scope: &scope };
+    let ends = member_ends::ends(template, &scope).map_err(alone)?;
+    let small = SmallActions::new(&spec.value, template, &inputs, &scope, &ends).map_err(alone)?;
+    let context =
+        Context { spec: &spec.value, template, inputs: &inputs, scope: &scope, small: &small };
     let (assembly, moved) = assembly(&context).map_err(alone)?;
     let bolts = context.bolt_lines().map_err(alone)?;
     let (actions, frames) = match &template.hand_checks {
-        Some(entry) => actions::ends(template, &scope)
-            .and_then(|ends| {
-                let actions = actions::on_planes(&spec.value.loads, &ends, &entry.ends)?;
-                Ok((actions, actions::frames(&ends, &entry.ends)?))
-            })
-            .map_err(alone)?,
+        Some(entry) => {
+            let loads = &spec.value.loads;
+            let planes = actions::on_planes(loads, &small, &ends, &entry.ends);
+            let frames = member_ends::frames(&ends, &entry.ends);
+            (planes.map_err(alone)?, frames.map_err(alone)?)
+        }
         None => Default::default(),
     };
-    let end_plate = end_plate(&spec.value, template, &inputs, &scope, actions).map_err(alone)?;
+    let end_plate =
+        end_plate(&spec.value, template, (&inputs, &scope), &small, actions).map_err(alone)?;
     if let Some(seen) = &end_plate {
         context.all_seen(&assembly, &frames, seen).map_err(alone)?;
     }
@@ -137,8 +149,15 @@ pub fn build_from(
         resolved,
         catalogue: inputs.catalogue(),
         end_plate,
-        notes: inputs.notes().into_iter().chain(moved.map(note_of_ledges)).collect(),
+        notes: inputs
+            .notes()
+            .into_iter()
+            .chain(moved.map(note_of_ledges))
+            .chain(small.notes())
+            .collect(),
         bolts,
+        neglected: small.neglected,
+        idle: small.idle,
     })
 }
 

@@ -12,10 +12,13 @@ mod given;
 pub mod inputs;
 pub mod joint;
 mod ledges;
+mod load_checks;
+mod member_ends;
 pub mod origin;
 pub mod part;
 pub mod scope;
 mod seen_bolts;
+mod small_actions;
 mod spec_checks;
 pub mod strength;
 pub mod symmetry;
@@ -28,6 +31,7 @@ pub use builder::BoltLine;
 pub use end_plate::{ColumnSide, EndPlate};
 pub use error::AssemblyError;
 pub use joint::{Joint, LoadedTemplate, build, build_from, given_names, names};
+pub use small_actions::{Idle, Neglected};
 
 #[cfg(test)]
 mod bad_specs;

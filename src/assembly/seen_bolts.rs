@@ -1,10 +1,10 @@
 //! Compares the bolts of the mesh with those of the hand checks, because a verdict by code must
 //! cover all of them.
 
-use super::actions::Frame;
 use super::assembly::{Part, PartRole};
 use super::end_plate::EndPlate;
 use super::error::AssemblyError;
+use super::member_ends::Frame;
 use crate::math::vec3::V3;
 
 /// Largest distance between two bolts at the same place \[mm\].

@@ -1,8 +1,8 @@
 //! Faults of a spec that can be found before any expression of the template is evaluated: ranges of
 //! numbers, loads, forces of the column, categories of the bolts.
 
-use super::actions;
 use super::error::{AssemblyError, known_names, unknown_in};
+use super::load_checks;
 use super::template::Template;
 use crate::diag::did_you_mean;
 use crate::spec::analysis::{AnalysisKind, MeshSize};
@@ -136,8 +136,8 @@ fn loads(spec: &ConnectionSpec, template: &Template, faults: &mut Vec<AssemblyEr
         if l.of_polygon && spec.loads[..i].iter().any(|o| o.of_polygon) {
             continue;
         }
-        if actions::is_at_an_end(l) {
-            actions::check(&spec.loads, i, template, faults);
+        if load_checks::is_at_an_end(l) {
+            load_checks::check(&spec.loads, i, template, faults);
             continue;
         }
         let mut value = |problem: String, help: &str| {

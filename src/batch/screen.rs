@@ -8,7 +8,7 @@ use crate::assembly::{Joint, LoadedTemplate, build_from, given_names};
 use crate::catalog::Catalog;
 use crate::checks::end_plate::{parts_list, total_mass};
 use crate::checks::verdict::Verdict;
-use crate::checks::{Analysed, Comparison, HandChecks, hand_checks, judge};
+use crate::checks::{Analysed, Comparison, HandChecks, joint_checks, judge};
 use crate::diag::Diagnostic;
 use crate::driver::demands::demands;
 use crate::driver::spec_checks::check_loads;
@@ -112,7 +112,7 @@ fn sentence(d: &Diagnostic) -> String {
 }
 
 fn record(key: &str, joint: &Joint, spec: &ConnectionSpec) -> Record {
-    let mut checks = joint.end_plate.as_ref().map(hand_checks).unwrap_or_default();
+    let mut checks = joint_checks(joint);
     let demands = demands(&spec.loads);
     let alone: Vec<Analysed> = demands.iter().map(|d| Analysed::not(d.case.clone())).collect();
     // beside a limit analysis that carries the load, the strength part of the component method is

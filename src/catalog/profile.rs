@@ -146,6 +146,14 @@ impl IProfile {
             + 4.0 * fillet_area(self.r) * (self.tw / 2.0 + fillet_offset(self.r))
     }
 
+    /// Torsion constant \[mm⁴\]: the tabulated one, else that of three thin rectangles without the
+    /// fillets, which is smaller.
+    pub fn torsion_constant(&self) -> f64 {
+        let clear = self.h - 2.0 * self.tf;
+        let thin = (2.0 * self.b * self.tf.powi(3) + clear * self.tw.powi(3)) / 3.0;
+        self.i_t.map_or(thin, |tabulated| 1e4 * tabulated)
+    }
+
     /// Column, tabulated value and value of the outline of every property, in the units of the
     /// table.
     pub fn properties(&self) -> [(&'static str, f64, f64); 7] {

@@ -6,6 +6,9 @@ use std::fmt;
 /// Relative slack of a comparison: decimal input such as 1.2 · 20 mm must equal 24 mm.
 const ROUNDING: f64 = 1e-9;
 
+/// What the formula of a check says whose demand or resistance is not finite.
+const NO_NUMBER: &str = "; there is no such number, so that the check does not hold";
+
 /// Unit of a value of a check. Values are always in the internal units.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Unit {
@@ -260,13 +263,19 @@ impl Check {
         check
     }
 
+    /// Compares a demand with a resistance. A number that is not finite never holds: the check ends
+    /// with `otherwise`, and its formula says so.
     pub(super) fn judge(&mut self, demand: f64, resistance: f64, otherwise: Status) {
         let number = |x: f64| Some(x).filter(|x| x.is_finite());
         self.demand = number(demand);
         self.resistance = number(resistance);
         // a utilisation needs a positive resistance
         self.utilisation = if resistance > 0.0 { number(demand / resistance) } else { None };
-        self.status = if holds(demand, resistance) { Status::Ok } else { otherwise };
+        let finite = self.demand.is_some() && self.resistance.is_some();
+        self.status = if finite && holds(demand, resistance) { Status::Ok } else { otherwise };
+        if !finite {
+            self.formula += NO_NUMBER;
+        }
     }
 
     /// The check with its load case.

@@ -13,6 +13,8 @@ mod bolt_forces;
 mod bolt_rows;
 mod clamped_plates;
 mod class_checks;
+mod column_checks;
+mod column_forces;
 mod comparison;
 mod component_joint;
 mod component_tables;
@@ -67,6 +69,7 @@ pub fn hand_checks(e: &EndPlate) -> HandChecks {
     out.checks.extend(rules.checks(&senses));
     let service = e.actions.iter().filter(|a| !a.state.is_ultimate());
     out.serviceability.extend(service.map(|a| a.case.clone()));
+    out.checks.extend(column_checks::given(e));
     load_cases::checks(e, &mut out);
     out.checks.sort_by_key(|c| c.topic);
     out

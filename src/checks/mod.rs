@@ -14,10 +14,12 @@ pub mod error;
 pub mod eurocode;
 pub mod judgement;
 pub mod verdict;
+pub mod whole_joint;
 pub mod worked;
 
 pub use check::{Check, Status, Step, Topic, Unit};
 pub use end_plate::{Comparison, HandChecks, JointStiffness, MomentAxial, PureMoment, hand_checks};
 pub use error::CheckError;
 pub use judgement::{Analysed, Governing, Judgement, judge};
+pub use whole_joint::joint_checks;
 pub use worked::Worked;

@@ -46,8 +46,10 @@ impl Worked {
         self.steps.iter().find(|s| s.symbol == symbol).map(|s| s.value)
     }
 
-    /// The value as information, without a demand.
-    pub fn information(self, topic: Topic, subject: impl Into<String>) -> Check {
+    /// The value as information, without a demand. A value that is not finite is left out, and so
+    /// are such intermediate values.
+    pub fn information(mut self, topic: Topic, subject: impl Into<String>) -> Check {
+        self.steps.retain(|step| step.value.is_finite());
         Check {
             topic,
             case: None,
@@ -57,7 +59,7 @@ impl Worked {
             formula: self.formula,
             values: self.steps,
             demand: None,
-            resistance: Some(self.value),
+            resistance: Some(self.value).filter(|value| value.is_finite()),
             utilisation: None,
             unit: self.unit,
             status: Status::Information,
@@ -73,8 +75,9 @@ impl Worked {
         demand: f64,
         otherwise: Status,
     ) -> Check {
+        let resistance = self.value;
         let mut check = self.information(topic, subject);
-        check.judge(demand, check.resistance.unwrap_or(0.0), otherwise);
+        check.judge(demand, resistance, otherwise);
         check
     }
 

@@ -1,5 +1,6 @@
 //! The hand checks of a connection spec, without mesher or solver.
 
+use crate::checks::HandChecks;
 use crate::checks::verdict::Verdict;
 use crate::diag::Diagnostics;
 use crate::driver::finish::{Analyses, Finished, finish};
@@ -7,7 +8,7 @@ use crate::driver::input_hash::checked_hash;
 use crate::driver::interrupt::Interrupt;
 use crate::driver::spec_checks;
 use crate::driver::spec_context::{self, spec_context};
-use crate::driver::spec_file;
+use crate::driver::spec_file::{self, SpecFile};
 use crate::report::console::log::Log;
 use crate::result::folder::ResultFolder;
 use crate::result::result_file::ResultFile;
@@ -31,9 +32,20 @@ pub fn check_spec(
     let folder = ResultFolder::begin(folder)?;
     interrupt.begin_short(folder.give_up());
     input.store(&folder)?;
-    let mut context = spec_context(spec, &input, checks)?;
-    context.input_hash = checked_hash(&input)?;
+    checks_alone(spec, &input, checks, folder, &log)
+}
+
+/// The result of the hand checks, without any analysis.
+pub fn checks_alone(
+    spec: &Path,
+    input: &SpecFile,
+    checks: HandChecks,
+    folder: ResultFolder,
+    log: &Log,
+) -> Result<Finished, Diagnostics> {
+    let mut context = spec_context(spec, input, checks)?;
+    context.input_hash = checked_hash(input)?;
     let mut result = ResultFile::new(context.input_hash.clone(), 1, Verdict::None);
     result.warnings.clone_from(&context.checks.notes);
-    finish(result, context, Analyses::default(), folder, &log)
+    finish(result, context, Analyses::default(), folder, log)
 }

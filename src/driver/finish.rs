@@ -186,7 +186,8 @@ fn verdict_line(result: &ResultFile, status: ExitStatus, interrupted: bool) -> S
     )
 }
 
-/// The load cases with a demand. If there are analyses, the cases are in the order of the analyses.
+/// The load cases with a demand. If there are analyses, the cases are in the order of the analyses;
+/// those in which nothing acts have none and stand behind.
 fn demanded(demands: &[CaseDemand], asked: &[String]) -> Vec<String> {
     let demanded = demands.iter().map(|d| &d.case);
     if asked.is_empty() {
@@ -198,6 +199,7 @@ fn demanded(demands: &[CaseDemand], asked: &[String]) -> Vec<String> {
             out.push(case.clone());
         }
     }
+    out.extend(demanded.filter(|d| !asked.contains(d)).cloned());
     out
 }
 
@@ -247,6 +249,7 @@ pub fn judge_result(result: &mut ResultFile, checks: &mut HandChecks, demands: &
         result.judgement = Some(judgement);
     }
     result.checks.clone_from(&checks.checks);
+    result.neglected.clone_from(&checks.neglected);
 }
 
 /// The exit status for the verdict. Without a demand it states whether all analyses are certified.

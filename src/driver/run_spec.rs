@@ -2,13 +2,14 @@
 
 use crate::checks::{Analysed, HandChecks, Status, Topic, judge};
 use crate::diag::{Diagnostic, Diagnostics};
+use crate::driver::check_spec::checks_alone;
 use crate::driver::demands::{CaseDemand, demands};
 use crate::driver::finish::Finished;
 use crate::driver::input_hash::spec_hash;
 use crate::driver::limits::{Limits, WHEN_INTERRUPTED};
 use crate::driver::meshing::{Extent, find_mesher, mesh, mesh_options, quality_table};
 use crate::driver::run_cases::run_cases;
-use crate::driver::spec_cases::{cases, give_remesh};
+use crate::driver::spec_cases::{asked_cases, cases, give_remesh};
 use crate::driver::spec_checks::{analysis_kinds, check_input};
 use crate::driver::spec_context::{spec_checks, spec_context};
 use crate::driver::spec_file::{self, SpecFile};
@@ -65,6 +66,20 @@ pub fn run_spec(run: &SpecRun, mut limits: Limits) -> Result<Finished, Diagnosti
     let asked = &input.spec.value.analysis;
     limits.time = asked.time_limit.map(|t| t.0);
     let log = Arc::new(Log::new(run.quiet));
+    // a run without limit analysis has no polygon
+    let polygon = input
+        .spec
+        .value
+        .polygon
+        .as_ref()
+        .filter(|_| matches!(run.kind, None | Some(AnalysisKind::Limit)));
+    if asked_cases(&input, &kinds, polygon).is_empty() {
+        let folder = ResultFolder::begin(&run.folder)?;
+        limits.interrupt.begin_short(folder.give_up());
+        input.store(&folder)?;
+        log.line("nothing acts in any load case: there is nothing to analyse".to_owned());
+        return checks_alone(&run.spec, &input, checks, folder, &log);
+    }
     let mesher = find_mesher(&limits.interrupt, limits.time, &log)?;
     let folder = ResultFolder::begin(&run.folder)?;
     limits.interrupt.begin(&log, WHEN_INTERRUPTED, folder.give_up());
@@ -82,13 +97,6 @@ pub fn run_spec(run: &SpecRun, mut limits: Limits) -> Result<Finished, Diagnosti
         keep(&input, &meshed, &folder)?;
     }
     let place = |path: &str| input.spec.index.place(path);
-    // a run without limit analysis has no polygon
-    let polygon = input
-        .spec
-        .value
-        .polygon
-        .as_ref()
-        .filter(|_| matches!(run.kind, None | Some(AnalysisKind::Limit)));
     let mut cases = cases(&input, &meshed, &kinds, polygon, mesh_seconds, &limits.interrupt)?;
     let max_passes = run.max_passes.unwrap_or(asked.max_passes);
     if max_passes > 1 {

@@ -83,7 +83,7 @@ fn check_names(spec: &Parsed<ConnectionSpec>, kinds: &[AnalysisKind]) -> Result<
     Ok(())
 }
 
-/// Refuses a case without load, and loads whose energy is beyond the range of numbers (1e300 MPa).
+/// Refuses a spec without load, and loads whose energy is beyond the range of numbers (1e300 MPa).
 fn check_sizes(spec: &Parsed<ConnectionSpec>) -> Result<(), Diagnostics> {
     let refuse = |path: String, code, message: String, help: &str| {
         let mut d = Diagnostic::input(code, message).help(help);
@@ -108,17 +108,17 @@ fn check_sizes(spec: &Parsed<ConnectionSpec>) -> Result<(), Diagnostics> {
                 );
             }
         }
-        let mut case = loads.iter().filter(|l| l.name == load.name).flat_map(quantities);
-        if case.all(|q| q.value == 0.0) {
-            let message =
-                format!("nothing acts in the load case `{}`: every load is zero", load.name);
-            return refuse(
-                format!("loads[{i}]"),
-                "model/no-load",
-                message,
-                "give a load that is not zero",
-            );
-        }
+    }
+    // a case in which nothing acts has its answer beside others or as a demand, but a spec without
+    // any load most likely lacks one
+    let demand = loads.iter().any(|l| l.end.is_some());
+    if !loads.is_empty() && !demand && loads.iter().flat_map(quantities).all(|q| q.value == 0.0) {
+        return refuse(
+            "loads".into(),
+            "model/no-load",
+            "nothing acts on the joint: every load is zero".into(),
+            "give a load that is not zero",
+        );
     }
     Ok(())
 }
@@ -138,8 +138,8 @@ fn quantities(load: &LoadSpec) -> Vec<Quantity> {
     let mut out: Vec<Quantity> = load.pressure.iter().map(|p| stress("pressure", p.0)).collect();
     out.extend(load.traction.into_iter().flatten().map(|t| stress("traction", t.0)));
     out.extend(load.actions().into_iter().map(|(action, value)| match action.direction() {
-        (_, false) => Quantity { key: action.word(), value, unit: "N", sizes: 1e-6..=1e12 },
-        (_, true) => Quantity { key: action.word(), value, unit: "N mm", sizes: 1e-6..=1e15 },
+        (_, false) => Quantity { key: action.word(), value, unit: "N", sizes: 1e-100..=1e12 },
+        (_, true) => Quantity { key: action.word(), value, unit: "N mm", sizes: 1e-100..=1e15 },
     }));
     out
 }

@@ -4,7 +4,7 @@ use crate::assembly::assembly::{FaceSupport, PartMaterial, PartRole, Surface};
 use crate::assembly::{Assembly, EndPlate};
 use crate::checks::check::number;
 use crate::checks::end_plate::{moment_axial, parts_list, stocked_length, welds_list};
-use crate::checks::{HandChecks, hand_checks};
+use crate::checks::{HandChecks, joint_checks};
 use crate::diag::Diagnostics;
 use crate::driver::context::RunContext;
 use crate::driver::demands::demands;
@@ -26,7 +26,7 @@ use std::path::Path;
 
 /// The hand checks of a spec, with the notes of its joint.
 pub fn spec_checks(input: &SpecFile) -> HandChecks {
-    let mut checks = input.joint.end_plate.as_ref().map(hand_checks).unwrap_or_default();
+    let mut checks = joint_checks(&input.joint);
     checks.notes.extend(input.joint.notes.iter().cloned());
     checks
 }

@@ -45,6 +45,7 @@ pub fn compared(claimed: &ResultFile, again: &ResultFile) -> Vec<String> {
     pair("verdict", json!(claimed.verdict), json!(again.verdict));
     pair("judgement", json!(claimed.judgement), json!(again.judgement));
     pair("checks", json!(claimed.checks), json!(again.checks));
+    pair("neglected", json!(claimed.neglected), json!(again.neglected));
     for (a, b) in claimed.cases.iter().zip(&again.cases) {
         let name = |key: &str| format!("{}: {key}", a.name);
         pair(&name("utilisation"), json!(a.utilisation), json!(b.utilisation));

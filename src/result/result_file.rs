@@ -4,6 +4,7 @@
 //! NaN or null. [`ResultFile::to_json`] refuses a result that breaks this rule. It also refuses a
 //! result that claims to be strict without residuals within the tolerance.
 
+use crate::assembly::Neglected;
 pub use crate::checks::verdict::Verdict;
 use crate::checks::{Check, Judgement};
 use crate::diag::Diagnostic;
@@ -52,6 +53,9 @@ pub struct ResultFile {
     /// Hand checks of the code.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub checks: Vec<Check>,
+    /// Actions at member ends that are neglected, in the checks as in the models.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub neglected: Vec<Neglected>,
     /// Capacity of the joint under two actions together.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub polygon: Option<CapacityPolygon>,
@@ -155,6 +159,7 @@ impl ResultFile {
             asked: Vec::new(),
             cases,
             checks,
+            neglected: Vec::new(),
             polygon: None,
             warnings,
         }

@@ -256,7 +256,7 @@ const ROWS: &[Row] = &[
         "0 MPa",
         "model/no-load",
         "joint.yaml:10:",
-        "nothing acts in the load case `TOP`",
+        "nothing acts on the joint: every load is zero",
         "not zero",
     ),
     (

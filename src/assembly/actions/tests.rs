@@ -31,16 +31,16 @@ fn resultant(j: &Joint, face: &str, dead: bool) -> ([f64; 3], [f64; 3], [f64; 3]
 fn actions_turn_into_global_forces_of_the_same_sense_at_either_beam() {
     let end = |name: &str| {
         format!(
-            "{{name: A, end: {name}, at: column_face, N: 3 kN, Vy: 1 kN, Vz: -2 kN, T: 5 kN m, \
+            "{{name: A, end: {name}, at: column_face, N: 30 kN, Vy: 10 kN, Vz: -2 kN, T: 5 kN m, \
              My: 7 kN m, Mz: 11 kN m}}"
         )
     };
     let j = ok(&spec(&format!("[{}, {}]", end("beam_right"), end("beam_left"))));
     // x′ = x and y′ = z × x = y at the right end; x′ = −x and y′ = z × −x = −y at the left end
     let right = resultant(&j, "BEAM_RIGHT", false);
-    assert_eq!(right, ([100.0, 0.0, 0.0], [3e3, 1e3, -2e3], [5e6, 7e6, 11e6]));
+    assert_eq!(right, ([100.0, 0.0, 0.0], [30e3, 10e3, -2e3], [5e6, 7e6, 11e6]));
     let left = resultant(&j, "BEAM_LEFT", false);
-    assert_eq!(left, ([-100.0, 0.0, 0.0], [-3e3, -1e3, -2e3], [-5e6, -7e6, 11e6]));
+    assert_eq!(left, ([-100.0, 0.0, 0.0], [-30e3, -10e3, -2e3], [-5e6, -7e6, 11e6]));
     // a positive My puts the top in tension: at z > 0 its moment about the axis gives an outward
     // force
     for (moment, outward) in [(right.2, 1.0), (left.2, -1.0)] {
@@ -52,10 +52,10 @@ fn actions_turn_into_global_forces_of_the_same_sense_at_either_beam() {
 #[test]
 fn factor_parts_what_grows_from_what_stays() {
     let load =
-        "[{name: A, end: beam_right, at: node, N: 3 kN, Vz: -2 kN, My: 7 kN m, factor: [My, Vz]}]";
+        "[{name: A, end: beam_right, at: node, N: 30 kN, Vz: -2 kN, My: 7 kN m, factor: [My, Vz]}]";
     let j = ok(&spec(load));
     assert_eq!(resultant(&j, "BEAM_RIGHT", false), ([0.0; 3], [0.0, 0.0, -2e3], [0.0, 7e6, 0.0]));
-    assert_eq!(resultant(&j, "BEAM_RIGHT", true), ([0.0; 3], [3e3, 0.0, 0.0], [0.0; 3]));
+    assert_eq!(resultant(&j, "BEAM_RIGHT", true), ([0.0; 3], [30e3, 0.0, 0.0], [0.0; 3]));
     let all_dead = ok(&spec("[{name: A, end: beam_right, at: node, My: 7 kN m, dead: true}]"));
     assert_eq!(all_dead.assembly.loads.len(), 1);
     assert!(all_dead.assembly.loads[0].dead);
@@ -148,4 +148,56 @@ fn wrong_actions_are_told_with_place_and_cure() {
                  at: node, N: 7 kN}]";
     let d = joint(&spec(twice)).map(drop).expect_err("twice").into_first();
     assert_eq!(d.place.path.as_deref(), Some("loads[1].end"), "{d:#?}");
+}
+
+/// Rounding is left out of the model, whose planes of symmetry are those of the load without it.
+#[test]
+fn rounding_is_no_load_and_keeps_the_symmetry() {
+    let of = |more: &str| {
+        let load =
+            |end: &str| format!("{{name: A, end: {end}, at: bolt_plane, My: 80 kN m{more}}}");
+        ok(&spec(&format!("[{}, {}]", load("beam_right"), load("beam_left"))))
+    };
+    let clean = of("");
+    assert_eq!(clean.assembly.symmetry.len(), 2, "{:?}", clean.assembly.symmetry);
+    for noise in [", T: 0.1 N m", ", Mz: 10 N m", ", Vy: 1 N", ", N: -0.01 N", ", Vz: 0.01 N"] {
+        let noisy = of(noise);
+        assert_eq!(noisy.assembly.symmetry, clean.assembly.symmetry, "{noise}");
+        let moments = |j: &Joint| {
+            ["BEAM_RIGHT", "BEAM_LEFT"].map(|face| {
+                let (_, force, moment) = resultant(j, face, false);
+                (force, moment)
+            })
+        };
+        assert_eq!(moments(&noisy), moments(&clean), "{noise}");
+        let case = |n: &crate::assembly::Neglected| (n.case.clone(), n.share < 0.01);
+        assert!(noisy.neglected.iter().all(|n| case(n) == ("A".into(), true)), "{noise}");
+        assert!(noisy.neglected.len() >= 2 && noisy.notes.len() == clean.notes.len() + 1);
+    }
+    // 2 % of T_Rd = I_t/t_f f_y/√3 = 201 200 mm⁴/10.7 mm · 136 MPa counts
+    let twisted = of(", T: 0.052 kN m");
+    assert!(twisted.neglected.is_empty() && twisted.assembly.symmetry.len() < 2);
+}
+
+/// A small shear force may turn about the bolt plane with a moment that counts; what acts is judged
+/// there, each component by itself.
+#[test]
+fn actions_are_judged_at_the_bolt_plane() {
+    let of = |load: &str| ok(&spec(&format!("[{{name: A, end: beam_right, {load}}}]")));
+    let names = |j: &Joint| j.neglected.iter().map(|n| n.action.clone()).collect::<Vec<_>>();
+    // 100 mm from the node to the plane: 3 kN of Vy turn with 0.3 kN m, more than 1 % of 29 kN m
+    let j = of("at: node, My: 60 kN m, Vy: 3 kN");
+    assert_eq!(names(&j), ["Vy"]);
+    let (at, force, moment) = resultant(&j, "BEAM_RIGHT", false);
+    assert_eq!((at, force), ([100.0, 0.0, 0.0], [0.0; 3]));
+    assert_eq!(moment, [0.0, 60e6, -0.3e6]);
+    // the given moment cancels at the plane
+    let j = of("at: node, My: 60 kN m, Vy: 9 kN, Mz: 0.9 kN m");
+    assert!(names(&j).is_empty(), "{:?}", j.neglected);
+    // an axial force counts where nothing larger acts
+    assert!(names(&of("at: bolt_plane, N: 1 kN")).is_empty());
+    assert_eq!(names(&of("at: bolt_plane, N: 1 kN, Vz: -50 kN")), ["N"]);
+    // rounding of the only action of a case is nothing
+    let j = of("at: bolt_plane, My: 1 N mm");
+    assert!(names(&j) == ["My"] && j.idle.len() == 1 && j.assembly.loads.is_empty(), "{j:#?}");
 }

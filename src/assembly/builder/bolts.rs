@@ -1,13 +1,13 @@
 //! Bolts of the joint: their parts, contacts, cuts and lines of action.
 
 use super::context::Context;
-use crate::assembly::actions::Frame;
 use crate::assembly::assembly::{
     Assembly, BoltPreload, InterfaceRule, Part, PartMaterial, PartRole, Solid, Surface,
 };
 use crate::assembly::end_plate::EndPlate;
 use crate::assembly::error::AssemblyError;
 use crate::assembly::evaluate::{entry_fault, identifier, within};
+use crate::assembly::member_ends::Frame;
 use crate::assembly::part::{Hole, bolt_pieces};
 use crate::assembly::scope::Scope;
 use crate::assembly::seen_bolts::{self, Meshed};

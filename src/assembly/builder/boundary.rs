@@ -5,6 +5,8 @@ use crate::assembly::actions;
 use crate::assembly::assembly::{Action, Clearance, FaceLoad, FaceRule, FaceSupport};
 use crate::assembly::error::AssemblyError;
 use crate::assembly::evaluate::{entry_fault, identifier, rectangle, within};
+use crate::assembly::load_checks;
+use crate::assembly::member_ends;
 use crate::assembly::template::Axis;
 
 impl Context<'_> {
@@ -34,14 +36,15 @@ impl Context<'_> {
         faces: &mut Vec<FaceRule>,
     ) -> Result<Vec<FaceLoad>, AssemblyError> {
         let mut out = Vec::new();
-        let ends = actions::ends(self.template, self.scope)?;
+        let ends = member_ends::ends(self.template, self.scope)?;
         // any other value would multiply pressures
         if let Some(e) = self.template.sections.iter().find(|e| e.outward.abs() != 1) {
             return entry_fault(&e.name, format!("`outward` is {}, not 1 or -1", e.outward));
         }
         for (i, l) in self.spec.loads.iter().enumerate() {
-            if actions::is_at_an_end(l) {
-                out.extend(actions::on_end(l, i, self.template, &ends, faces)?);
+            if load_checks::is_at_an_end(l) {
+                let rules = (self.template, self.small);
+                out.extend(actions::on_end(l, i, rules, &ends, faces)?);
                 continue;
             }
             // spec_checks.rs has rejected loads without a known section
@@ -61,12 +64,14 @@ impl Context<'_> {
             if let Some(p) = l.pressure {
                 traction[e.face.axis.index()] -= p.0 * f64::from(e.outward);
             }
-            out.push(FaceLoad {
-                face,
-                case: l.name.clone(),
-                action: Action::Traction(traction),
-                dead: l.dead,
-            });
+            if !self.small.is_idle(&l.name) {
+                out.push(FaceLoad {
+                    face,
+                    case: l.name.clone(),
+                    action: Action::Traction(traction),
+                    dead: l.dead,
+                });
+            }
         }
         Ok(out)
     }

@@ -5,6 +5,7 @@ use crate::assembly::error::AssemblyError;
 use crate::assembly::evaluate::{entry_fault, within};
 use crate::assembly::inputs::Inputs;
 use crate::assembly::scope::Scope;
+use crate::assembly::small_actions::SmallActions;
 use crate::assembly::template::Template;
 use crate::spec::analysis::MeshSize;
 use crate::spec::connection::ConnectionSpec;
@@ -16,6 +17,7 @@ pub(in crate::assembly) struct Context<'a> {
     pub template: &'a Template,
     pub inputs: &'a Inputs<'a>,
     pub scope: &'a Scope,
+    pub small: &'a SmallActions,
 }
 
 impl Context<'_> {

@@ -91,6 +91,8 @@ pub struct Equilibrium {
     sets: Vec<RowSet>,
     /// N_pl,Rd of the beam \[N\].
     pub plastic: f64,
+    /// Distance of the middles of the beam's flanges from its axis \[mm\].
+    pub lever: f64,
     /// N_j,Rd of tension, without moment \[N\].
     pub tension: f64,
     /// N_j,Rd of compression, without moment \[N\].
@@ -115,7 +117,8 @@ impl Equilibrium {
         let beam = &joint.beam;
         let plastic = beam.section.area * beam.fy / joint.gamma_m0;
         let buckles = joint.column.as_ref().and_then(|c| Compression::buckles(joint, c));
-        let mut out = Self { sets, plastic, tension: 0.0, compression: 0.0, buckles };
+        let lever = 0.5 * (beam.section.h - beam.section.tf);
+        let mut out = Self { sets, plastic, lever, tension: 0.0, compression: 0.0, buckles };
         let alone = |n: f64| out.carried(n, 0.0, Rule::Plastic).map_or(0.0, |c| c.factor * n.abs());
         (out.tension, out.compression) = (alone(plastic), alone(-plastic));
         Ok(out)

@@ -155,7 +155,7 @@ pub fn initial(joint: &EndPlateJoint, rows: &Rows<'_>) -> Result<Stiffness, Chec
 /// # Source
 /// EN 1993-1-8:2005 6.3.1(4) and (6), formula 6.28, Table 6.8.
 pub fn at_moment(initial: f64, demand: f64, resistance: f64) -> Worked {
-    let ratio = demand.abs() / resistance;
+    let ratio = if demand == 0.0 { 0.0 } else { demand.abs() / resistance };
     let mu = if ratio <= 2.0 / 3.0 { 1.0 } else { (1.5 * ratio).powf(PSI) };
     let formula = format!("S_j = S_j,ini/μ = {}/{}", Unit::Rotational.show(initial), n(mu));
     let title = "rotational stiffness under the moment";

@@ -1,5 +1,6 @@
 //! Assumptions of the checks where the spec gives no value, and input that the code does not cover.
 
+use super::column_forces::columns;
 use crate::assembly::EndPlate;
 use crate::checks::check::{Check, Topic, Unit};
 
@@ -61,6 +62,9 @@ pub(super) fn assumptions(e: &EndPlate) -> Vec<Check> {
     let words = match c.longitudinal {
         Some(stress) => {
             format!("σ_com,Ed = {} from N_Ed and M_Ed of the column", Unit::Stress.show(stress))
+        }
+        None if columns(c) == 1 => {
+            "σ_com,Ed from the equilibrium of the node with one column, in each load case".into()
         }
         None => "assumed: σ_com,Ed ≤ 0.7 f_y, k_wc = 1; members.column.N_Ed and M_Ed say more \
                  (k_wc falls to 0.7 at f_y)"

@@ -1,6 +1,7 @@
 //! Classes of the joint by strength and stiffness under each load case, and its stiffness under the
 //! moment. They are information, because they only determine how the frame is modelled.
 
+use super::column_forces::columns;
 use super::member_end::MemberEnd;
 use crate::assembly::EndPlate;
 use crate::checks::check::{Check, Topic, Unit, number as n};
@@ -10,8 +11,6 @@ use crate::checks::classification::{
 use crate::checks::component_method::stiffness::at_moment;
 use crate::checks::worked::Worked;
 
-/// Columns that meet at the joint: in the templates the column continues above and below.
-const COLUMNS: u32 = 2;
 /// Clause of the classes by stiffness.
 const STIFFNESS: &str = "EN 1993-1-8:2005 5.2.2.5(1)";
 
@@ -37,11 +36,13 @@ fn strength(end: &MemberEnd<'_>) -> Check {
         .column
         .as_ref()
         .map_or(f64::INFINITY, |c| 1e3 * c.section.w_pl_y * c.steel.fy / e.factors.gamma_m0);
-    let class = strength_class(joint, beam, column, COLUMNS);
-    let full = beam.min(f64::from(COLUMNS) * column);
+    // a column that ends on both sides is one piece, no more than one column
+    let count = e.column.as_ref().map_or(1, |c| columns(c).max(1));
+    let class = strength_class(joint, beam, column, count);
+    let full = beam.min(f64::from(count) * column);
     let least = if column.is_finite() {
         format!(
-            "min(M_b,pl,Rd, {COLUMNS} M_c,pl,Rd) = min({}, {COLUMNS} · {})",
+            "min(M_b,pl,Rd, {count} M_c,pl,Rd) = min({}, {count} · {})",
             Unit::Moment.show(beam),
             Unit::Moment.show(column)
         )

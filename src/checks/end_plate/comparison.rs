@@ -27,6 +27,11 @@ impl Method {
         axial == 0.0 || self.equilibrium.as_ref().is_some_and(|e| e.small(axial))
     }
 
+    /// M_j,Ed/M_j,Rd; 0 without a moment, whatever the resistance.
+    pub(super) fn bending(&self, moment: f64) -> f64 {
+        if moment == 0.0 { 0.0 } else { moment.abs() / self.moment }
+    }
+
     /// Plastic equilibrium of the rows, where the axial force counts.
     pub(super) fn with_axial(&self, [force, moment]: [[f64; 3]; 2]) -> Option<Carried> {
         let (axial, my) = (force[0], moment[1]);
@@ -45,8 +50,10 @@ impl Method {
     /// EN 1993-1-8:2005 6.2.7.1(2) and (3).
     pub(super) fn share(&self, at: [[f64; 3]; 2]) -> Option<Worked> {
         const CLAUSE: &str = "EN 1993-1-8:2005 6.2.7.1";
-        let (axial, my) = (at[0][0], at[1][1].abs());
-        let bending = my / self.moment;
+        const TITLE: &str = "moment and axial force of the joint";
+        let (axial, moment) = (at[0][0], at[1][1]);
+        let my = moment.abs();
+        let bending = self.bending(moment);
         let show = |x: f64| Unit::Moment.show(x);
         let kn = |x: f64| Unit::Force.show(x);
         let mut formula = format!("M_j,Ed/M_j,Rd = {}/{}", show(my), show(self.moment));
@@ -71,24 +78,77 @@ impl Method {
                 );
             }
         } else {
-            let together = 1.0 / self.with_axial(at).filter(|c| c.factor > 0.0)?.factor;
+            let carried = self.with_axial(at).filter(|c| c.factor > 0.0)?;
+            let together = 1.0 / carried.factor;
             value = bending.max(together);
             formula = format!(
                 "the larger of {formula} = {} and 1/α = {}, with α (M_j,Ed = {}, N_Ed = {}) the \
                  largest multiple in plastic equilibrium",
                 n(bending),
                 n(together),
-                show(my),
+                show(moment),
                 kn(axial)
             );
+            let worked = Worked::new(CLAUSE, TITLE, value, Unit::Number, formula);
+            return Some(self.by_hand(worked, &carried, [axial, moment]));
         }
-        Some(Worked::new(
-            CLAUSE,
-            "moment and axial force of the joint",
-            value,
-            Unit::Number,
-            formula,
-        ))
+        Some(Worked::new(CLAUSE, TITLE, value, Unit::Number, formula))
+    }
+
+    /// Adds to the check what a hand needs to follow it: the forces of rows and flanges at the
+    /// largest multiple, their sums, and the linear sum of formula 6.24 beside it.
+    fn by_hand(&self, mut worked: Worked, carried: &Carried, [axial, moment]: [f64; 2]) -> Worked {
+        let Some(e) = &self.equilibrium else { return worked };
+        let (kn, show) = (|x: f64| Unit::Force.show(x), |x: f64| Unit::Moment.show(x));
+        let alpha = carried.factor;
+        let [upper, web, lower] = carried.compression;
+        let mut forces: Vec<(String, f64, f64)> = carried
+            .rows
+            .iter()
+            .map(|r| (format!("row at z = {} mm", n(r.z)), r.force, r.z))
+            .collect();
+        forces.sort_by(|a, b| b.2.total_cmp(&a.2));
+        let parts = [
+            ("upper flange", upper, e.lever),
+            ("web", web, 0.0),
+            ("lower flange", lower, -e.lever),
+        ];
+        for (part, push, z) in parts.into_iter().filter(|p| p.1 > 0.0) {
+            forces.push((format!("{part} at z = {} mm", n(z)), -push, z));
+        }
+        let terms = |of: fn(&(String, f64, f64)) -> String| {
+            let each: Vec<String> = forces.iter().map(of).collect();
+            each.join(" + ").replace("+ -", "− ")
+        };
+        let sum: f64 = forces.iter().map(|f| f.1).sum();
+        let turned: f64 = forces.iter().map(|f| f.1 * f.2).sum();
+        worked.formula += &format!(
+            "; α = {}, tension positive: Σ F = {} = {} = α N_Ed; Σ F z = {} = {} = α M_j,Ed",
+            n(alpha),
+            terms(|f| n(1e-3 * f.1)),
+            kn(sum),
+            terms(|f| format!("{} · {}", n(1e-3 * f.1), n(1e-3 * f.2))),
+            show(turned)
+        );
+        for (name, force, _) in &forces {
+            worked = worked.with(&format!("F of the {name}"), *force, Unit::Force);
+        }
+        worked = worked.with("α", alpha, Unit::Number);
+        let resistance = if axial > 0.0 { e.tension } else { e.compression };
+        if resistance > 0.0 {
+            let (bending, pull) = (self.bending(moment), axial.abs() / resistance);
+            worked.formula += &format!(
+                "; linear sum (6.24): M_j,Ed/M_j,Rd + N_Ed/N_j,Rd = {} + {}/{} = {}; it does not \
+                 bind: 6.2.7.1(3) offers it as a conservative method, and forces in equilibrium, \
+                 none beyond its resistance, satisfy 2.5(1)",
+                n(bending),
+                kn(axial.abs()),
+                kn(resistance),
+                n(bending + pull)
+            );
+            worked = worked.with("linear sum (6.24)", bending + pull, Unit::Number);
+        }
+        worked
     }
 }
 
@@ -169,7 +229,7 @@ impl Comparison {
 fn factor(a: &PlaneActions, method: &Method) -> Option<f64> {
     if a.dead.iter().flatten().all(|x| *x == 0.0) {
         let [[axial, ..], [_, my, _]] = a.at(1.0);
-        let bending = method.moment / my.abs();
+        let bending = if my == 0.0 { f64::INFINITY } else { method.moment / my.abs() };
         // load factor from which the axial force counts
         let plastic = method.equilibrium.as_ref().map_or(f64::INFINITY, |e| e.plastic);
         let counts = SMALL_AXIAL * plastic / axial.abs();

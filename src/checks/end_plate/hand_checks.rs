@@ -2,6 +2,7 @@
 
 use super::comparison::Comparison;
 use super::joint_stiffness::PureMoment;
+use crate::assembly::Neglected;
 use crate::checks::check::{Check, Status};
 
 /// The checks of a connection, and the reasons why some of them are missing.
@@ -23,6 +24,8 @@ pub struct HandChecks {
     pub unstable: Vec<String>,
     /// Load cases at serviceability, in which only slip is checked.
     pub serviceability: Vec<String>,
+    /// Actions at member ends that are neglected.
+    pub neglected: Vec<Neglected>,
 }
 
 impl HandChecks {

@@ -1,17 +1,21 @@
 //! Checks of the joint as a whole under a load case: moment and axial force, components that may
 //! buckle, the column web panel.
 
+use super::column_forces::PanelShear;
 use super::member_end::{LoadedEnd, MemberEnd};
 use super::transformation::other_ends;
 use crate::checks::check::{Check, Status, Topic, Unit};
 use crate::checks::component_method::Summed;
 use crate::checks::worked::Worked;
 
+/// Title of the check of moment and axial force.
+pub(super) const MOMENT_AND_AXIAL: &str = "moment and axial force of the joint";
+
 /// Moment and axial force against the resistance of the joint.
 pub(super) fn moment_and_axial(loaded: &LoadedEnd<'_>) -> Check {
     let (end, method) = (loaded.end, loaded.method);
     let Some(mut check) = method.share(end.a.at(1.0)) else {
-        let (clause, title) = ("EN 1993-1-8:2005 6.2.7.1", "moment and axial force of the joint");
+        let (clause, title) = ("EN 1993-1-8:2005 6.2.7.1", MOMENT_AND_AXIAL);
         let why = "no plastic equilibrium of the rows with an axial force beyond 5 % of \
                    N_pl,Rd is covered";
         return Check::undecided(Topic::ComponentMethod, end.subject(), clause, title, why);
@@ -74,30 +78,10 @@ pub(super) fn panel(end: &MemberEnd<'_>) -> Option<Check> {
             return None;
         }
     }
-    let lever = end.assessment.stiffness.lever;
-    let relief = end.e.column.as_ref().map_or(0.0, |c| c.shear);
-    // V_Ed is positive against the shear of a positive moment at an end along +x
-    let shear = end.a.outward * (own - other) / lever;
-    let demand = (shear - relief).abs();
+    let shear = PanelShear::new(end.e, end.a, other, end.assessment.stiffness.lever);
     let mut check = resistance;
-    check.title = match relief == 0.0 {
-        true => "column web panel in shear (column shear not given, V_Ed = 0)",
-        false => "column web panel in shear",
-    };
-    check.formula = format!(
-        "V_wp,Ed = |(M_b1 − M_b2)/z_eq{}| = |({} − {})/{}{}| = {}; {}",
-        if relief == 0.0 { "" } else { " − (V_c1 − V_c2)/2" },
-        Unit::Moment.show(own),
-        Unit::Moment.show(other),
-        Unit::Length.show(lever),
-        if relief == 0.0 {
-            String::new()
-        } else {
-            format!(" − {}", Unit::Force.show(end.a.outward * relief))
-        },
-        Unit::Force.show(demand),
-        check.formula
-    );
+    check.title = shear.title;
+    check.formula = format!("{}; {}", shear.formula, check.formula);
     check.clause = "EN 1993-1-8:2005 5.3(3), 6.2.6.1";
-    Some(check.against(Topic::ComponentMethod, end.subject(), demand, Status::Failed))
+    Some(check.against(Topic::ComponentMethod, end.subject(), shear.demand, Status::Failed))
 }

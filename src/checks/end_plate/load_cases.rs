@@ -3,9 +3,10 @@
 use super::beam_checks::{beam, beyond_the_beam};
 use super::bolt_forces::BoltForces;
 use super::class_checks::classes;
+use super::column_checks;
 use super::comparison::Comparison;
 use super::hand_checks::HandChecks;
-use super::joint_checks;
+use super::joint_checks::{self, MOMENT_AND_AXIAL};
 use super::joint_stiffness::PureMoment;
 use super::member_end::{LoadedEnd, MemberEnd, subject};
 use super::sense::Sense;
@@ -14,7 +15,9 @@ use super::stiffener_checks::{doubler_welds, stiffeners};
 use super::transformation::beta;
 use super::weld_checks;
 use crate::assembly::{EndPlate, PlaneActions};
-use crate::checks::check::{Check, Topic, Unit};
+use crate::checks::check::{Check, Status, Topic, Unit};
+use crate::checks::eurocode::i_section::Section;
+use crate::checks::eurocode::section::plastic_shear;
 
 /// Adds the checks of every load case and member end.
 pub(super) fn checks(e: &EndPlate, out: &mut HandChecks) {
@@ -26,6 +29,10 @@ pub(super) fn checks(e: &EndPlate, out: &mut HandChecks) {
         if ultimate {
             alone.extend(no_formula(a));
             alone.extend(beam(e, a));
+            let first = e.actions.iter().find(|o| o.case == a.case);
+            if first.is_some_and(|first| std::ptr::eq(first, a)) {
+                alone.extend(column_checks::under_load(e, &a.case));
+            }
         }
         out.checks.extend(alone.into_iter().map(|c| c.of_case(&a.case)));
         let end = match MemberEnd::new(e, a) {
@@ -45,6 +52,10 @@ pub(super) fn checks(e: &EndPlate, out: &mut HandChecks) {
             }
         };
         let method = end.method();
+        if let Some(check) = no_moment(&end, method.moment) {
+            out.checks.extend(ultimate.then(|| check.of_case(&a.case)));
+            continue;
+        }
         if ultimate {
             let loaded = LoadedEnd::new(&end, &method);
             let stability = joint_checks::stability(&loaded);
@@ -67,21 +78,56 @@ pub(super) fn checks(e: &EndPlate, out: &mut HandChecks) {
     }
 }
 
-/// Torsion, weak-axis moment and horizontal shear: the hand checks of bolts, plates and welds leave
-/// them out, and a bracket does not replace them.
-fn no_formula(a: &PlaneActions) -> Option<Check> {
-    let [[_, vy, _], [torsion, _, mz]] = a.at(1.0);
-    let moments = [("T", torsion, Unit::Moment), ("Mz", mz, Unit::Moment), ("Vy", vy, Unit::Force)];
-    let acts = moments.into_iter().filter(|(_, v, _)| v.abs() > 1e-6);
-    let names: Vec<String> =
-        acts.map(|(name, v, unit)| format!("{name} = {}", unit.show(v))).collect();
-    (!names.is_empty()).then(|| {
-        let why = format!(
-            "the checks of bolts, plates and welds leave {} out: EN 1993-1-8 6.2 has no formula",
-            names.join(" and ")
-        );
-        let (clause, title) =
-            ("EN 1993-1-8:2005 6.2", "torsion, weak-axis moment and horizontal shear");
+/// Torsion and weak-axis moment of the joint: no rule of the code brings them into the rows of
+/// bolts and the plate. Small ones are neglected before (`assembly::small_actions`).
+fn no_formula(a: &PlaneActions) -> Vec<Check> {
+    let [_, [torsion, _, mz]] = a.at(1.0);
+    let steps = [
+        (
+            "Mz",
+            mz,
+            "moment of the joint about the weak axis",
+            "6.2 has no resistance of the joint to it: the rows would pull with one column of \
+             bolts each, for which Tables 6.4 and 6.6 have no effective lengths",
+        ),
+        (
+            "T",
+            torsion,
+            "torsion of the joint",
+            "6.2 has no resistance of end plate and welds to it, and the restraint of warping at \
+             the plate is not known",
+        ),
+    ];
+    let acts = steps.into_iter().filter(|(_, moment, ..)| *moment != 0.0);
+    let check = |(name, moment, title, why)| {
+        let (clause, value) = ("EN 1993-1-8:2005 6.2", Unit::Moment.show(moment));
+        let why = format!("{name} = {value}: {why}");
         Check::undecided(Topic::Bolts, a.end.clone(), clause, title, why)
-    })
+    };
+    acts.map(check).collect()
+}
+
+/// Whether the shear force leaves the joint no moment resistance beside which its rows could carry
+/// the moment; the check of that moment.
+///
+/// # Source
+/// EN 1993-1-1:2005 6.2.8: a shear force at V_pl,Rd leaves a section of class 3 nothing.
+fn no_moment(end: &MemberEnd<'_>, moment: f64) -> Option<Check> {
+    let [[_, vy, vz], [_, my, _]] = end.a.at(1.0);
+    if my == 0.0 || moment > 0.0 {
+        return None;
+    }
+    let (clause, title) = ("EN 1993-1-1:2005 6.2.8", MOMENT_AND_AXIAL);
+    let why = format!(
+        "the components leave M_j,Rd = 0 beside V_Ed = {}: the rows cannot carry M_j,Ed = {}",
+        Unit::Force.show(vy.hypot(vz)),
+        Unit::Moment.show(my.abs())
+    );
+    let none = Check::undecided(Topic::ComponentMethod, end.subject(), clause, title, why);
+    // beyond V_pl,Rd the check of the shear force fails, with its number
+    let e = end.e;
+    let area = Section::from(&e.beam).shear_area();
+    let plastic = plastic_shear(area, e.beam_steel.fy, e.factors.gamma_m0);
+    let status = if vz.abs() > plastic { none.status } else { Status::Failed };
+    Some(Check { status, ..none })
 }

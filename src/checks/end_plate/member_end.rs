@@ -6,6 +6,7 @@
 //! exceeds its resistance: no demand is capped silently. Beside an axial force that counts, the
 //! rows have the forces of the plastic equilibrium (`component_method::equilibrium`).
 
+use super::column_forces::CornerForces;
 use super::comparison::Method;
 use super::component_joint::component_joint;
 use super::sense::Sense;
@@ -40,6 +41,11 @@ impl<'a> MemberEnd<'a> {
         let mut joint = component_joint(e, beta(e, a));
         let [[_, vy, vz], _] = a.at(1.0);
         joint.beam.shear = vz.hypot(vy);
+        if let (Some(c), Some(side)) = (&mut joint.column, &e.column)
+            && let (Some(corner), None) = (CornerForces::new(e, &a.case), side.longitudinal)
+        {
+            c.longitudinal = corner.longitudinal(side);
+        }
         let assessment = assess(&sense.of(&joint))?;
         Ok(Self { e, a, sense, joint, assessment })
     }
@@ -105,13 +111,13 @@ impl<'a> LoadedEnd<'a> {
 
     /// Force of the row at `z` \[mm\] without prying \[N\].
     pub fn pull(&self, z: f64) -> f64 {
-        let share = self.end.a.at(1.0)[1][1].abs() / self.method.moment;
+        let share = self.method.bending(self.end.a.at(1.0)[1][1]);
         self.at_row(z, |row| share * row.force, |pull| pull.force)
     }
 
     /// Tension of one bolt of the row at `z` \[mm\], prying included \[N\].
     pub fn bolt_force(&self, z: f64) -> f64 {
-        let share = self.end.a.at(1.0)[1][1].abs() / self.method.moment;
+        let share = self.method.bending(self.end.a.at(1.0)[1][1]);
         self.at_row(z, |row| row.bolt_force(share), |pull| pull.bolt)
     }
 
@@ -146,7 +152,7 @@ fn push(end: &MemberEnd<'_>, method: &Method) -> f64 {
     let at = end.a.at(1.0);
     // a small axial compression that does not count for the joint still presses the flanges, half
     // of it each
-    let bending = at[1][1].abs() / method.moment * end.assessment.tension();
+    let bending = method.bending(at[1][1]) * end.assessment.tension();
     let plain = bending + 0.5 * (-at[0][0]).max(0.0);
     let together = method.with_axial(at).filter(|c| c.factor > 0.0);
     let of = |c: Carried| c.compression.into_iter().fold(0.0, f64::max) / c.factor;

@@ -3,6 +3,7 @@
 //! The mesh has whole stiffeners that are one body with the column; the checks here cover the part
 //! that is cut off at the root, and the size of the welds.
 
+use super::column_forces::PanelShear;
 use super::component_joint::component_joint;
 use super::doubler::doubler_fault;
 use super::member_end::{LoadedEnd, MemberEnd};
@@ -255,13 +256,14 @@ pub(super) fn doubler_welds(end: &MemberEnd<'_>) -> Vec<Check> {
     let Some(area) = panel.step("A_vc") else {
         return out;
     };
-    let own = end.a.at(1.0)[1][1];
     let other: f64 = other_ends(e, end.a).map(|o| o.at(1.0)[1][1]).sum();
-    let shear = (own - other).abs() / end.assessment.stiffness.lever;
+    let panel = PanelShear::new(e, end.a, other, end.assessment.stiffness.lever);
+    let shear = panel.demand;
     let flow = shear * c.section.tw / area;
     let mut worked = simplified(a, &steel);
     worked.formula = format!(
-        "F_w,Ed = V_wp,Ed (b_s t_wc/A_vc)/b_s = {} · {}/{}; {}",
+        "{}; F_w,Ed = V_wp,Ed (b_s t_wc/A_vc)/b_s = {} · {}/{}; {}",
+        panel.formula,
         Unit::Force.show(shear),
         n(c.section.tw),
         n(area),

@@ -266,7 +266,7 @@ impl CrossSection {
             Class::Slender => {
                 return Err(CheckError::NotCovered {
                     what: format!(
-                        "the beam is of class 4: flange c/t = {}, web c/t = {}",
+                        "the section is of class 4: flange c/t = {}, web c/t = {}",
                         n(slenderness.flange),
                         n(slenderness.web)
                     ),

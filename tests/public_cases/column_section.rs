@@ -1,0 +1,118 @@
+//! The column's own section at the joint.
+
+use crate::answer::Answer;
+
+const CORNER: &str = "35-corner_column_overloaded.yaml";
+const GIVEN: &str = "36-column_N1100_M78.yaml";
+const MOMENT: &str = "moment of the column with its shear and axial force";
+
+/// Demand and resistance of the moment of the column in kN m.
+fn moment(answer: &Answer) -> [f64; 2] {
+    let found = answer.titled(MOMENT);
+    assert_eq!(found.len(), 1, "{}", answer.said);
+    ["demand", "resistance"].map(|key| 1e-6 * found[0][key].as_f64().expect("a number"))
+}
+
+fn near(found: f64, wanted: f64) {
+    assert!((found / wanted - 1.0).abs() < 2e-3, "{found} is not {wanted}");
+}
+
+/// HEB200, S235: A = 7808 mm², W_pl = 642.5 cm³, t_f = 15: a = (A − 2 b t_f)/A = 0.2316, and
+/// M_N,Rd = 151 (1 − n)/(1 − a/2) with n = N/1835 kN.
+#[test]
+fn given_forces_of_the_column_are_checked() {
+    let answer = Answer::of(GIVEN);
+    assert_eq!((answer.code, answer.verdict()), (1, "not_ok"), "{}", answer.said);
+    let [demand, resistance] = moment(&answer);
+    near(demand, 78.0);
+    near(resistance, 68.4);
+    let text = Answer::input(GIVEN);
+    let (area, plastic): (f64, f64) = (7808.0, 642.5e3 * 235e-6);
+    let a = (area - 2.0 * 200.0 * 15.0) / area;
+    for (axial, m, verdict) in [
+        (-1100.0_f64, 60.0_f64, "ok"),
+        (1100.0, 78.0, "not_ok"),
+        (1100.0, 60.0, "ok"),
+        (-500.0, 78.0, "ok"),
+    ] {
+        let answer = Answer::to(
+            &text
+                .replace("-1100 kN", &format!("{axial} kN"))
+                .replace("78 kN m", &format!("{m} kN m")),
+        );
+        let part: f64 = axial.abs() / (area * 0.235);
+        near(moment(&answer)[1], plastic * ((1.0 - part) / (1.0 - 0.5 * a)).min(1.0));
+        assert_eq!(answer.verdict(), verdict, "{axial} {m}: {}", answer.said);
+    }
+}
+
+/// At a corner the moment of the one column follows from the node.
+#[test]
+fn a_corner_column_carries_the_moment_of_the_node() {
+    let answer = Answer::of(CORNER);
+    assert_eq!((answer.code, answer.verdict()), (1, "not_ok"), "{}", answer.said);
+    // 172 at the bolt plane, 20 kN 100 mm from the node
+    let [demand, resistance] = moment(&answer);
+    near(demand, 174.0);
+    near(resistance, 151.0);
+    let axial = answer.titled("axial force of the column");
+    assert!(axial.len() == 1 && axial[0]["demand"] == 20e3, "{axial:?}");
+    // one column, so full strength is that of one column
+    let class = answer.titled("class by strength");
+    assert!(class[0]["formula"].as_str().is_some_and(|f| f.contains("1 M_c,pl,Rd")), "{class:?}");
+    let text = Answer::input(CORNER);
+    // less of it holds in the column
+    let small = Answer::to(&text.replace("172 kN m", "120 kN m"));
+    assert_eq!(small.titled(MOMENT)[0]["status"], "ok", "{}", small.said);
+    // a horizontal force of the beam bends the column below as well: 50 kN over h_b/2 = 250 mm
+    let pulled =
+        Answer::to(&text.replace("\"Vz\": \"-20 kN\"", "\"Vz\": \"-20 kN\", \"N\": \"50 kN\""));
+    near(moment(&pulled)[0], 174.0 + 50.0 * 0.25);
+    let panel = pulled
+        .checks()
+        .iter()
+        .find(|c| c["title"].as_str().is_some_and(|t| t.contains("by equilibrium of the node")))
+        .expect("the panel");
+    assert!(panel["formula"].as_str().is_some_and(|f| f.contains("+ 25 kN")), "{panel}");
+}
+
+/// Where the column continues both ways and nothing is given, its share is not known.
+#[test]
+fn a_column_that_continues_is_named_as_not_checked() {
+    let text = Answer::input(GIVEN)
+        .replace("\"N_Ed\": \"-1100 kN\",", "")
+        .replace("\"steel\": \"S235\",\n   \"M_Ed\": \"78 kN m\"", "\"steel\": \"S235\"");
+    let text = text.replace(",\n   \n   \"M_Ed\": \"78 kN m\"", "");
+    assert!(!text.contains("_Ed"), "{text}");
+    let answer = Answer::to(&text);
+    assert_eq!((answer.code, answer.verdict()), (0, "ok"), "{}", answer.said);
+    let note = answer.titled("column beside the joint, not checked");
+    assert!(note.len() == 1 && note[0]["status"] == "information", "{note:?}");
+    assert!(answer.titled(MOMENT).is_empty());
+}
+
+/// V_Ed of the column is part of the shear flow of a web doubler, as it is of the panel's shear.
+#[test]
+fn the_welds_of_a_doubler_carry_the_shear_of_the_column() {
+    let of = |v: f64| {
+        let text = format!(
+            "template: beam_to_column_end_plate\nmembers: {{column: {{profile: HEB200, steel: \
+             S235, V_Ed: {v} kN}}, beam: {{profile: IPE300, steel: S235}}}}\nplate: {{thickness: \
+             15}}\nbolts: {{size: M20, grade: \"8.8\", rows: [-90, 90, 190]}}\nparameters: \
+             {{doubler: true, doubler_weld: 7}}\nloads: [{{name: U, end: beam_right, at: \
+             bolt_plane, My: 60 kN m}}]\n"
+        );
+        let answer = Answer::to(&text);
+        let number = |title: &str| {
+            let all: Vec<_> = answer.checks().iter().filter(|c| c["case"] == "U").collect();
+            let found = all.iter().find(|c| c["title"] == title).expect(title);
+            found["demand"].as_f64().expect("a number")
+        };
+        (number("shear flow in the welds of a web doubler"), number("column web panel in shear"))
+    };
+    let (flow, panel) = of(-150.0);
+    let (less, relieved) = of(50.0);
+    // the flow is in proportion to the shear of the panel, which 200 kN part
+    assert!((panel - relieved - 200e3).abs() < 1.0, "{panel} {relieved}");
+    assert!((flow / panel / (less / relieved) - 1.0).abs() < 1e-9, "{flow} {less}");
+}
