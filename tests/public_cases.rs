@@ -14,6 +14,13 @@ mod random_joints;
 #[path = "public_cases/small_actions.rs"]
 mod small_actions;
 
+#[path = "public_cases/outside_range.rs"]
+mod outside_range;
+#[path = "public_cases/real_ends.rs"]
+mod real_ends;
+#[path = "public_cases/units.rs"]
+mod units;
+
 use answer::Answer;
 
 /// A stiffened end plate with an ordinary load, as a start for changes.

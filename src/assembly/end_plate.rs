@@ -2,6 +2,7 @@
 //! values.
 
 use super::actions::PlaneActions;
+use super::column_ends::ColumnEnds;
 use super::error::AssemblyError;
 use super::factors::PartialFactors;
 use super::inputs::Inputs;
@@ -62,6 +63,13 @@ pub struct ColumnSide {
     pub shear: f64,
     /// System length of the column (its storey height), if the spec gives it.
     pub system_length: Option<f64>,
+}
+
+impl ColumnSide {
+    /// Where the column really ends.
+    pub fn ends(&self) -> ColumnEnds {
+        ColumnEnds { above: self.above, below: self.below }
+    }
 }
 
 /// A bolted end plate between a beam and the flange of a column, or between two beams with the same

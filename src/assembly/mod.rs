@@ -4,6 +4,7 @@ pub mod actions;
 #[allow(clippy::module_inception)] // a file is named for its noun, and this one holds `Assembly`
 pub mod assembly;
 mod builder;
+pub mod column_ends;
 pub mod end_plate;
 pub mod error;
 mod evaluate;
@@ -28,6 +29,7 @@ pub mod template_file;
 pub use actions::PlaneActions;
 pub use assembly::Assembly;
 pub use builder::BoltLine;
+pub use column_ends::{ColumnEnds, Way};
 pub use end_plate::{ColumnSide, EndPlate};
 pub use error::AssemblyError;
 pub use joint::{Joint, LoadedTemplate, build, build_from, given_names, names};

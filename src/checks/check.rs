@@ -216,7 +216,7 @@ impl Check {
         provided: f64,
         otherwise: Status,
     ) -> Self {
-        let sign = if holds(required, provided) { "≥" } else { "<" };
+        let sign = if within(required, provided) { "≥" } else { "<" };
         let formula = comparison(symbol, provided, sign, required, rule);
         Self::limit(topic, subject.into(), clause, title, formula, (required, provided), otherwise)
     }
@@ -231,7 +231,7 @@ impl Check {
         provided: f64,
         otherwise: Status,
     ) -> Self {
-        let sign = if holds(provided, allowed) { "≤" } else { ">" };
+        let sign = if within(provided, allowed) { "≤" } else { ">" };
         let formula = comparison(symbol, provided, sign, allowed, rule);
         Self::limit(topic, subject.into(), clause, title, formula, (provided, allowed), otherwise)
     }
@@ -272,7 +272,7 @@ impl Check {
         // a utilisation needs a positive resistance
         self.utilisation = if resistance > 0.0 { number(demand / resistance) } else { None };
         let finite = self.demand.is_some() && self.resistance.is_some();
-        self.status = if finite && holds(demand, resistance) { Status::Ok } else { otherwise };
+        self.status = if finite && within(demand, resistance) { Status::Ok } else { otherwise };
         if !finite {
             self.formula += NO_NUMBER;
         }
@@ -322,9 +322,17 @@ fn comparison(
     format!("{symbol} = {provided} {sign} {end}")
 }
 
-/// Whether a demand is within a resistance; never true of NaN.
-fn holds(demand: f64, resistance: f64) -> bool {
-    demand <= resistance + ROUNDING * resistance.abs()
+/// Whether a value is at most a limit, but for rounding; never true of NaN.
+///
+/// Every comparison of the checks with a limit of the code is made with this slack, so that a value
+/// given in another unit, or as a product of decimals, is judged like the value itself.
+pub fn within(value: f64, limit: f64) -> bool {
+    value <= limit + ROUNDING * limit.abs()
+}
+
+/// The item with the largest value, the first of those that are equal but for rounding.
+pub fn largest<T>(of: impl IntoIterator<Item = T>, value: impl Fn(&T) -> f64) -> Option<T> {
+    of.into_iter().reduce(|a, b| if within(value(&b), value(&a)) { a } else { b })
 }
 
 #[cfg(test)]

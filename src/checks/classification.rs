@@ -1,6 +1,6 @@
 //! Classification of joints by stiffness and by strength: EN 1993-1-8:2005 5.2.
 
-use crate::checks::check::{Unit, number as n};
+use crate::checks::check::{Unit, number as n, within};
 use crate::checks::worked::Worked;
 use serde::{Deserialize, Serialize};
 
@@ -97,9 +97,9 @@ impl StiffnessClass {
 impl StiffnessLimits {
     /// The class of an initial stiffness \[N mm/rad\].
     pub fn class(&self, initial: f64) -> StiffnessClass {
-        if initial >= self.rigid.value {
+        if within(self.rigid.value, initial) {
             StiffnessClass::Rigid
-        } else if initial <= self.pinned.value {
+        } else if within(initial, self.pinned.value) {
             StiffnessClass::NominallyPinned
         } else {
             StiffnessClass::SemiRigid
@@ -143,9 +143,9 @@ pub const STIFF_COLUMNS: f64 = 0.1;
 /// EN 1993-1-8:2005 5.2.3.2, 5.2.3.3, figure 5.5.
 pub fn strength_class(joint: f64, beam: f64, column: f64, storeys: u32) -> StrengthClass {
     let full = beam.min(f64::from(storeys) * column);
-    if joint >= full {
+    if within(full, joint) {
         StrengthClass::FullStrength
-    } else if joint <= 0.25 * full {
+    } else if within(joint, 0.25 * full) {
         StrengthClass::NominallyPinned
     } else {
         StrengthClass::PartialStrength

@@ -41,6 +41,14 @@ impl Worked {
         self
     }
 
+    /// The value times a factor, which `words` explain with its number.
+    #[must_use]
+    pub fn times(mut self, factor: f64, words: impl fmt::Display) -> Self {
+        self.value *= factor;
+        self.formula = format!("{}; times {words} = {}", self.formula, self.unit.show(self.value));
+        self
+    }
+
     /// The intermediate value with a symbol.
     pub fn step(&self, symbol: &str) -> Option<f64> {
         self.steps.iter().find(|s| s.symbol == symbol).map(|s| s.value)

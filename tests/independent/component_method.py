@@ -91,12 +91,16 @@ def alpha_curve(alpha, lambda2):
 
 
 def alpha_factor(m, m2, e):
-    """Figure 6.11: alpha between 4.45 and 8; the curve falls as alpha grows."""
+    """Figure 6.11: alpha up to 8; the curve falls as alpha grows.
+
+    The figure ends with the curve of 4.45.  Beyond it (e < 0.36 m) the straight
+    part, 4 m + 1.25 e without a stiffener, falls below 4.45 m, to 4 m for e = 0.
+    """
     if m2 <= 0.0:
         raise NotCovered("a bolt row meets a flange, a stiffener or a weld")
     lambda1 = m / (m + e)
     lambda2 = m2 / (m + e)
-    low, high = 4.45, 8.0
+    low, high = 4.0, 8.0
     if alpha_curve(low, lambda2) <= lambda1:
         return low
     if alpha_curve(high, lambda2) >= lambda1:
@@ -192,13 +196,20 @@ class ColumnData:
         force = self.omega(width) * kwc * width * t * self.fy
         return min(force / self.gm0, rho_plate(slenderness) * force / self.gm1)
 
-    def stiffener_compression(self):
-        """6.2.6.2(4) with EN 1993-1-5, section 9."""
+    def stiffener_compression(self, to_end, apart):
+        """6.2.6.2(4) with EN 1993-1-5, section 9.
+
+        15 epsilon t_w on each side, as far as there is web (9.1(2)): to_end from
+        the middle of the stiffener to the end of the column (None: it goes on),
+        apart between the middles of the two pairs, which share the web.
+        """
         s = self.section
         ts = self.stiffener
         tw = self.t_compression
         outstand = 0.5 * (s["b"] - s["tw"])
-        web = 30.0 * epsilon(self.fy) * tw
+        side = 15.0 * epsilon(self.fy) * tw
+        web = min(side, max(0.0, 0.5 * (apart - ts)))
+        web += side if to_end is None else min(side, max(0.0, to_end - 0.5 * ts))
         area = 2.0 * outstand * ts + (web + ts) * tw
         inertia = ts * (2.0 * outstand + tw) ** 3 / 12.0 + web * tw ** 3 / 12.0
         critical = PI ** 2 * self.young * inertia / (0.75 * self.d_wc) ** 2
@@ -207,10 +218,10 @@ class ColumnData:
         gamma = self.gm0 if slenderness <= 0.2 else self.gm1
         return chi * area * self.fy / gamma
 
-    def compression(self, width):
+    def compression(self, width, to_end, apart):
         bare = self.bare_compression(width)
         if self.stiffener > 0.0:
-            return max(bare, self.stiffener_compression())
+            return max(bare, self.stiffener_compression(to_end, apart))
         return bare
 
     def panel(self, beam_section):
@@ -356,6 +367,8 @@ class RowSet:
         flange_weld = 0.8 * SQRT2 * beam["flange_throat"]
         self.mp = 0.5 * (bolts["gauge"] - s["tw"]) - 0.8 * SQRT2 * beam["web_throat"]
         self.ep = 0.5 * (plate["width"] - bolts["gauge"])
+        if bolts["gauge"] > s["b"] * (1.0 + 1e-9):
+            raise NotCovered("the bolts stand beyond the tips of the beam flange")
         if self.mp <= 0.0 or self.ep <= 0.0:
             raise NotCovered("m or e of the end plate is not positive")
         self.mx, self.ex = {}, {}
@@ -393,7 +406,8 @@ class RowSet:
             self.nc = min(e_min, 1.25 * self.mc)
             above, below = joint["column"]["above"], joint["column"]["below"]
             self.end_above = None if above is None else above - z[0]
-            self.end_below = None if below is None or not both else below + z[-1]
+            # the lowest row in tension is an end row only if no row lies below it
+            self.end_below = None if below is None or count < len(rows) else below + z[-1]
             for end in (self.end_above, self.end_below):
                 if end is not None and end <= 0.0:
                     raise NotCovered("a bolt row lies beyond the end of the column")
@@ -523,7 +537,9 @@ def moment_result(joint, sign):
     flange = beam_flange(joint["beam"], joint["gamma_m0"])
     compression, panel = None, None
     if rows.column is not None:
-        compression = rows.column.compression(compression_width_at_end(joint))
+        below = joint["column"]["below"]
+        compression = rows.column.compression(
+            compression_width_at_end(joint), None if below is None else below - arm, 2.0 * arm)
         if joint["beta"] > 0.0:
             panel = rows.column.panel(s) / joint["beta"]
     total = min(v for v in (flange, compression, panel) if v is not None)
@@ -574,7 +590,7 @@ def stiffness(joint, rows, h):
             flexibility += joint["beta"] * z_eq / (0.38 * column.avc)
         if column.stiffener == 0.0:
             flexibility += column.d_wc / (
-                0.7 * compression_width(joint) * column.t_compression)
+                0.7 * compression_width_at_end(joint) * column.t_compression)
     return joint["young"] * z_eq ** 2 / flexibility
 
 
@@ -683,7 +699,9 @@ class AxialProgram:
             ends = [joint["column"][key] for key in ("above", "below")]
             beyond = [0.5 * width if end is None
                       else max(0.0, min(0.5 * width, end - arm)) for end in ends]
-            flange = min(flange, column.compression(0.5 * width + min(beyond)))
+            for end, half in zip(ends, beyond):
+                flange = min(flange, column.compression(
+                    0.5 * width + half, None if end is None else end - arm, 2.0 * arm))
             web = min(web, column.bare_compression(max(0.0, 2.0 * arm - width)))
             if column.stiffener == 0.0:
                 self.add([0.0] * count + [1.0] * 3,
@@ -853,7 +871,9 @@ def test_formulas(c):
     c.near("omega 2", omega(2.0, 10.0, 1.0, 10.0), 0.401610, 1e-6)
     # Figure 6.11: far from the flange alpha m = 4 m + 1.25 e.
     c.near("alpha far", alpha_factor(30.0, 400.0, 40.0), 4.0 + 1.25 * 40.0 / 30.0)
-    c.near("alpha clamp low", alpha_factor(80.0, 400.0, 20.0), 4.45)
+    # Beyond the figure, e = 0.25 m: 4 m + 1.25 e = 4.3125 m.
+    c.near("alpha of a narrow edge", alpha_factor(80.0, 400.0, 20.0), 4.3125)
+    c.near("alpha at the end of the figure", alpha_factor(1.25, 9.0, 0.45), 4.45)
     c.near("alpha clamp high", alpha_factor(10.0, 10.0, 90.0), 8.0)
     # alpha = 6, lambda2 = 0.6: L1 = 0.384615, L2 = 1.153846, exponent 4.530766.
     c.near("alpha curve", alpha_curve(6.0, 0.6),
@@ -949,7 +969,11 @@ def test_members(c):
            0.9 * 275.0 * 1308.0 / SQRT3 + 4.0 * 1.386e6 / 259.8)
     # Stiffener: stub member, lambda = 69 / (i lambda_1) below 0.2.
     web = 30.0 * math.sqrt(235.0 / 275.0) * 7.0
-    c.near("stiffener", column.compression(width), (133.0 * 12.0 + (web + 12.0) * 7.0) * 275.0)
+    c.near("stiffener", column.compression(width, None, 900.0),
+           (133.0 * 12.0 + (web + 12.0) * 7.0) * 275.0)
+    # The column ends 20 mm beyond the stiffener's middle, 14 mm beyond its face.
+    c.near("stiffener at an end", column.compression(0.0, 20.0, 900.0),
+           (133.0 * 12.0 + (0.5 * web + 14.0 + 12.0) * 7.0) * 275.0)
     # Slender panel: 600 x 6 web, S235: 600/6 = 100 > 69; lambda_w = 100/86.4.
     slender = section(620.0, 300.0, 6.0, 10.0, 0.0, 9600.0, 2e6, 1.8e6, 6e8)
     joint = case_heb140()
@@ -961,6 +985,21 @@ def test_members(c):
     for below, half in ((129.9 + 30.0, 30.0), (100.0, 0.0), (400.0, 0.5 * width)):
         joint["column"]["below"] = below
         c.near("cut width", compression_width_at_end(joint), 0.5 * width + half)
+    # The lowest row of all is an end row of a column that ends 40 mm below it; e1 = 40.
+    joint = case_heb140()
+    joint["column"]["below"] = -min(joint["bolts"]["rows"]) + 40.0
+    rows = RowSet(joint)
+    c.near("end row below", rows.column_lengths(2, 2)[0][0], min(2.0 * PI, PI + 80.0 / 22.4) * 22.4)
+    joint["bolts"]["rows"] = joint["bolts"]["rows"] + [-135.5]
+    joint["column"]["below"] = 190.0
+    c.true("no end row above another", RowSet(joint).end_below is None)
+    # Bolts beyond the tips of the beam flange.
+    joint = case_heb140()
+    joint["column"]["section"] = dict(HEB140, b=300.0)
+    joint["plate"]["width"], joint["bolts"]["gauge"] = 300.0, 135.5
+    c.true("bolts beyond the tips", "error" in assess(joint)["top"])
+    joint["bolts"]["gauge"] = 135.0
+    c.true("bolts at the tips", "error" not in assess(joint)["top"])
 
 
 def test_lengths(c):
@@ -1145,6 +1184,7 @@ def test_details(c):
             (161.788225099, 200.0, 400.0, 200.0, 40.0 * PI, 80.0 + 1.25 * 38.211774901),
             (191.788225099, 290.0, 350.0, 220.0, 50.0 * PI + 60.0, 130.0 + 0.625 * 28.211774901)):
         joint = case_splice()
+        joint["beam"]["section"] = dict(joint["beam"]["section"], b=300.0)
         joint["bolts"].update(rows=[rows], gauge=gauge)
         joint["plate"].update(width=width, top=top)
         found = RowSet(joint).plate_lengths(0, 0)[0]
@@ -1175,7 +1215,7 @@ def test_details(c):
     phi = 0.5 * (1.0 + 0.49 * (slenderness - 0.2) + slenderness ** 2)
     chi = 1.0 / (phi + math.sqrt(phi ** 2 - slenderness ** 2))
     joint["gamma_m1"] = 1.1
-    c.near("buckling of the stiffener", ColumnData(joint).stiffener_compression(),
+    c.near("buckling of the stiffener", ColumnData(joint).stiffener_compression(None, 900.0),
            chi * area * 235.0 / 1.1)
     # Web 75 t deep, S235: above 69 eps, lambda_w = 75/86.4.
     slender = section(620.0, 300.0, 8.0, 10.0, 0.0, 10800.0, 2e6, 1.8e6, 6e8)
@@ -1213,7 +1253,8 @@ def test_details(c):
     column, sums = ColumnData(joint), []
     for member in (joint, mirrored(joint)):
         width = compression_width(member)
-        sums.append(2.0 * column.compression(width) + column.bare_compression(259.8 - width))
+        flange = column.compression(width, None, 259.8)
+        sums.append(2.0 * flange + column.bare_compression(259.8 - width))
     c.true("the squash load does not govern", max(sums) < 4595.0 * 275.0)
     c.near("stiffened compression", assess(joint)["n_compression"], max(sums), 1e-8)
     # A splice of a beam with a large shear force: the web takes the rest of A f_y.

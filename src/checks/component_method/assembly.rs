@@ -1,17 +1,19 @@
 //! Assembly of the components: row forces and moment resistance. EN 1993-1-8:2005 6.2.7.2.
 
-use super::column_web::{self, CompressedWeb, ShearPanel};
-use super::joint::{Column, EndPlateJoint};
+use super::column_web::{self, ShearPanel};
+use super::compressed_zone::CompressedZone;
+use super::joint::EndPlateJoint;
 use super::rows::{Component, Rows};
 use super::t_stub::Mode;
 use super::{MOMENT_RESISTANCE, beam, stiffness};
-use crate::checks::check::{Unit, number};
+use crate::assembly::Way;
+use crate::checks::check::{Unit, number, within};
 use crate::checks::error::CheckError;
 use crate::checks::eurocode::section::{Class, epsilon};
 use crate::checks::worked::Worked;
 
 /// Force of a row over F_t,Rd of one bolt above which the rows below stay elastic, 6.2.7.2(9).
-pub(super) const NEARLY_BOLTS: f64 = 1.9;
+const NEARLY_BOLTS: f64 = 1.9;
 
 /// A component that the rows `first..=row` share; rows are counted from 0.
 #[derive(Clone, Debug, PartialEq)]
@@ -101,6 +103,12 @@ pub struct Assessment {
 }
 
 impl RowForce {
+    /// Whether the row is so near to the resistance of its bolts, `bolt` F_t,Rd of one \[N\], that
+    /// the rows below stay elastic, 6.2.7.2(9).
+    pub(super) fn nearly_bolts(&self, bolt: f64) -> bool {
+        !within(self.grouped, NEARLY_BOLTS * bolt)
+    }
+
     /// The part whose bending, alone or with the bolts, limits the row; `None` where another
     /// component does.
     pub fn bending_of(&self) -> Option<&'static str> {
@@ -128,7 +136,7 @@ impl Assessment {
     /// Whether the web panel in shear limits the sum.
     pub fn shear_governs(&self) -> bool {
         let total = self.tension();
-        self.limits.iter().any(|l| l.of == Summed::Panel && l.worked.value <= total * (1.0 + 1e-9))
+        self.limits.iter().any(|l| l.of == Summed::Panel && within(l.worked.value, total))
     }
 
     /// Resistance of a component that limits the sum \[N\].
@@ -155,9 +163,10 @@ pub fn assess(joint: &EndPlateJoint) -> Result<Assessment, CheckError> {
     let stability = stability(joint, &rows, panel.as_ref());
     let (mut left, mut least) = (f64::INFINITY, "");
     for l in &limits {
-        if l.worked.value < left {
-            (left, least) = (l.worked.value, l.worked.title);
+        if !within(left, l.worked.value) {
+            least = l.worked.title;
         }
+        left = left.min(l.worked.value);
     }
     let mut found: Vec<RowForce> = Vec::new();
     for r in 0..rows.count() {
@@ -178,7 +187,7 @@ pub fn assess(joint: &EndPlateJoint) -> Result<Assessment, CheckError> {
         }
         let mut elastic = false;
         for above in &found {
-            if above.grouped > NEARLY_BOLTS * joint.bolts.tension {
+            if above.nearly_bolts(joint.bolts.tension) {
                 let proportional = above.grouped * rows.lever[r] / above.lever;
                 elastic |= proportional < limit.force;
                 limit.lower(proportional, || "6.2.7.2(9), lever arms".into(), None);
@@ -229,9 +238,11 @@ impl Least {
     }
 
     fn lower(&mut self, force: f64, words: impl FnOnce() -> String, mode: Option<Mode>) {
-        if force < self.force {
+        // of equal limits the first names the row
+        if !within(self.force, force) {
             *self = Self { force, words: words(), mode };
         }
+        self.force = self.force.min(force);
     }
 }
 
@@ -269,44 +280,6 @@ fn panel(joint: &EndPlateJoint, rows: &Rows<'_>) -> Option<ShearPanel> {
     })
 }
 
-/// A zone of the column web in compression, `width` \[mm\].
-pub(super) fn zone(
-    joint: &EndPlateJoint,
-    c: &Column,
-    width: f64,
-    shear_area: f64,
-) -> CompressedWeb {
-    let s = &c.section;
-    CompressedWeb {
-        effective_width: width,
-        web: column_web::compressed_thickness(s.tw, c.doublers),
-        clear_depth: s.clear_depth(),
-        fy: c.fy,
-        young: joint.young,
-        omega: column_web::shear_interaction(joint.beta, width, s.tw, shear_area),
-        longitudinal: c.longitudinal,
-        gamma_m0: joint.gamma_m0,
-        gamma_m1: joint.gamma_m1,
-    }
-}
-
-/// Resistance of a zone, with the stiffeners of the column.
-pub(super) fn compressed(zone: &CompressedWeb, c: &Column) -> Worked {
-    if c.stiffener > 0.0 {
-        zone.stiffened(0.5 * (c.section.b - c.section.tw), c.stiffener)
-    } else {
-        zone.resistance()
-    }
-}
-
-/// The zone below the compressed flange, cut where the column ends.
-fn cut_zone(joint: &EndPlateJoint, c: &Column, shear_area: f64) -> CompressedWeb {
-    let (width, b) = (column_web::compressed_width(joint, c), &joint.beam.section);
-    let centre = 0.5 * (b.h - b.tf);
-    let half = c.below.map_or(0.5 * width, |end| (0.5 * width).min(end - centre).max(0.0));
-    zone(joint, c, half + 0.5 * width, shear_area)
-}
-
 /// Limits of the sum of the rows by the components in compression and in shear.
 fn limits(
     joint: &EndPlateJoint,
@@ -317,7 +290,7 @@ fn limits(
     let b = &joint.beam;
     let mut out = Vec::new();
     if let Some(c) = &joint.column {
-        let worked = compressed(&cut_zone(joint, c, rows.shear_area()), c);
+        let worked = CompressedZone::new(joint, c, Way::Down, rows.shear_area()).resistance();
         out.push(Limit { of: Summed::ColumnWeb, worked });
     }
     let worked = beam::flange_compression(&b.section, beam_moment, b.fy, joint.gamma_m0);
@@ -338,7 +311,8 @@ fn limits(
 fn stability(joint: &EndPlateJoint, rows: &Rows<'_>, panel: Option<&ShearPanel>) -> Vec<Stability> {
     let mut out = Vec::new();
     if let Some(c) = &joint.column {
-        let web = cut_zone(joint, c, rows.shear_area());
+        let zone = CompressedZone::new(joint, c, Way::Down, rows.shear_area());
+        let web = zone.web;
         let rho = web.buckling();
         if c.stiffener == 0.0 && rho < 1.0 {
             let why = format!(
@@ -348,7 +322,7 @@ fn stability(joint: &EndPlateJoint, rows: &Rows<'_>, panel: Option<&ShearPanel>)
             );
             out.push(Stability { why, clause: "EN 1993-1-8:2005 6.2.6.2", covered: true });
         }
-        let of_cross = compressed(&web, c);
+        let of_cross = zone.resistance();
         if let Some(chi) = of_cross.step("χ").filter(|chi| *chi < 1.0) {
             let why = format!(
                 "the stiffened column web buckles under the compressed flange: χ = {}",
@@ -358,7 +332,7 @@ fn stability(joint: &EndPlateJoint, rows: &Rows<'_>, panel: Option<&ShearPanel>)
         }
         let outstand = 0.5 * (c.section.b - c.section.tw);
         let limit = column_web::STIFFENER_SLENDERNESS * epsilon(c.fy);
-        if c.stiffener > 0.0 && outstand > limit * c.stiffener {
+        if c.stiffener > 0.0 && !within(outstand, limit * c.stiffener) {
             let ratio = number(outstand / c.stiffener);
             let why = format!(
                 "the stiffeners of the column buckle about their weld: c/t_s = {ratio} > 13 ε = {}",

@@ -1,6 +1,6 @@
 //! The beam: flange and web in compression, web in tension. EN 1993-1-8:2005 6.2.6.7 and 6.2.6.8.
 
-use crate::checks::check::{Unit, number as n};
+use crate::checks::check::{Unit, number as n, within};
 use crate::checks::eurocode::i_section::Section;
 use crate::checks::eurocode::section::{
     Class, Slenderness, epsilon, plastic_shear, reduced_modulus, shear_reduction,
@@ -102,8 +102,11 @@ pub fn bending_6_2_8(beam: &Section, fy: f64, shear: f64, gamma_m0: f64) -> Work
 pub fn flange_compression(beam: &Section, moment: f64, fy: f64, gamma_m0: f64) -> Worked {
     let lever = beam.h - beam.tf;
     let whole = moment / lever;
-    let limit =
-        if beam.h > DEEP { beam.b * beam.tf * fy / (0.8 * gamma_m0) } else { f64::INFINITY };
+    let limit = if !within(beam.h, DEEP) {
+        beam.b * beam.tf * fy / (0.8 * gamma_m0)
+    } else {
+        f64::INFINITY
+    };
     let formula = if limit < whole {
         format!(
             "F_c,fb,Rd = b t_f f_y/(0.8 γ_M0) = {} · {} · {}/(0.8 · {})",

@@ -1,7 +1,7 @@
 //! The column web in tension, compression and shear: EN 1993-1-8:2005 6.2.6.1 to 6.2.6.3.
 
-use super::joint::{Column, EndPlateJoint};
-use crate::checks::check::{Unit, number as n};
+use super::joint::Column;
+use crate::checks::check::{Unit, number as n, within};
 use crate::checks::eurocode::section::{epsilon, shear_buckling};
 use crate::checks::worked::Worked;
 
@@ -73,7 +73,7 @@ impl ShearPanel {
     /// Whether the panel buckles in shear before it yields.
     pub fn slender(&self) -> bool {
         let (slenderness, limit) = self.slenderness();
-        slenderness > limit
+        !within(slenderness, limit)
     }
 
     /// Design resistance in shear \[N\]: `V_wp,Rd = 0.9 f_y,wc A_vc/(√3 γ_M0)` plus the
@@ -155,23 +155,6 @@ pub fn tension(effective_width: f64, web: f64, fy: f64, omega: f64, gamma_m0: f6
     Worked::new("EN 1993-1-8:2005 6.2.6.3", "column web in tension", value, Unit::Force, formula)
         .with("ω", omega, Unit::Number)
         .with("b_eff", effective_width, Unit::Length)
-}
-
-/// Effective width of the web in compression under a bolted end plate and a rolled column that
-/// continues \[mm\].
-///
-/// `b_eff = t_fb + 2√2 a_p + 5 (t_fc + s) + s_p`, s = r_c; s_p = 2 t_p where the plate reaches far
-/// enough beyond the weld of the compressed flange, t_p at least (spread at 45° through the plate).
-///
-/// # Source
-/// EN 1993-1-8:2005 6.2.6.2(1), formula 6.11.
-pub fn compressed_width(joint: &EndPlateJoint, c: &Column) -> f64 {
-    let (b, plate) = (&joint.beam, &joint.plate);
-    // the plate beyond the outer face of the compressed flange
-    let overhang = -0.5 * b.section.h - plate.bottom;
-    let leg = std::f64::consts::SQRT_2 * b.flange_throat;
-    let spread = plate.thickness + (overhang - leg).clamp(0.0, plate.thickness);
-    b.section.tf + 2.0 * leg + 5.0 * (c.section.tf + c.section.root) + spread
 }
 
 /// A web in transverse compression. Lengths in mm, strengths in MPa.
@@ -264,55 +247,6 @@ impl CompressedWeb {
             .with("k_wc", kwc, Unit::Number)
             .with("ω", self.omega, Unit::Number)
     }
-
-    /// Design resistance with a pair of transverse stiffeners, `outstand` wide on each side of the
-    /// web and `thickness` thick \[mm\]: the cross of stiffeners and 15 ε t_w of web on either
-    /// side, buckling out of the plane of the web over 0.75 of its depth by curve c; never less
-    /// than the bare web.
-    ///
-    /// # Source
-    /// EN 1993-1-8:2005 6.2.6.2(4); EN 1993-1-5:2006 9.1(2) and 9.4; EN 1993-1-1:2005 6.3.1.
-    pub fn stiffened(&self, outstand: f64, thickness: f64) -> Worked {
-        let epsilon = epsilon(self.fy);
-        let reach = 30.0 * epsilon * self.web + thickness;
-        let area = 2.0 * outstand * thickness + reach * self.web;
-        let width = 2.0 * outstand + self.web;
-        let inertia =
-            thickness * width.powi(3) / 12.0 + (reach - thickness) * self.web.powi(3) / 12.0;
-        let radius = (inertia / area).sqrt();
-        let lambda1 = std::f64::consts::PI * (self.young / self.fy).sqrt();
-        let slenderness = 0.75 * self.clear_depth / (radius * lambda1);
-        let phi = 0.5 * (1.0 + 0.49 * (slenderness - 0.2) + slenderness * slenderness);
-        let chi = if slenderness <= 0.2 {
-            1.0
-        } else {
-            (1.0 / (phi + (phi * phi - slenderness * slenderness).sqrt())).min(1.0)
-        };
-        let gamma = if slenderness <= 0.2 { self.gamma_m0 } else { self.gamma_m1 };
-        let value = chi * area * self.fy / gamma;
-        let bare = self.resistance();
-        if bare.value >= value {
-            return bare;
-        }
-        let formula = format!(
-            "F_c,wc,Rd = χ A_eff f_y/γ = {} · {} · {}/{}",
-            n(chi),
-            n(area),
-            n(self.fy),
-            n(gamma)
-        );
-        let title = "stiffened column web in compression";
-        Worked::new(
-            "EN 1993-1-8:2005 6.2.6.2(4), EN 1993-1-5:2006 9.4",
-            title,
-            value,
-            Unit::Force,
-            formula,
-        )
-        .with("A_eff", area, Unit::Area)
-        .with("λ̄", slenderness, Unit::Number)
-        .with("χ", chi, Unit::Number)
-    }
 }
 
 /// Thickness of the web with supplementary plates in compression: 1.5 t_w with one plate, 2 t_w
@@ -330,9 +264,9 @@ pub fn compressed_thickness(web: f64, plates: u32) -> f64 {
 /// # Source
 /// EN 1993-1-8:2005 6.2.6.3(8).
 pub fn tension_thickness(web: f64, plates: u32, fy: f64) -> f64 {
-    match (plates, fy > 355.0) {
+    match (plates, within(fy, 355.0)) {
         (0, _) => web,
-        (_, false) => 1.4 * web,
-        (_, true) => 1.3 * web,
+        (_, true) => 1.4 * web,
+        (_, false) => 1.3 * web,
     }
 }

@@ -119,19 +119,20 @@ pub fn beside_stiffener_of_group(m: f64, e: f64, p: f64, alpha: f64) -> Lengths 
     Lengths { circular: PI * m + p, straight: 0.5 * p + alpha * m - (2.0 * m + 0.625 * e) }
 }
 
-/// α of figure 6.11 for a row between a web (`m`, `e`) and a stiffener `m2` away, between 4.45 and
-/// 8.
+/// α of figure 6.11 for a row between a web (`m`, `e`) and a stiffener `m2` away, between 4 and 8.
 ///
 /// λ1 = m/(m + e), λ2 = m2/(m + e). A curve of constant α is the straight line λ1 = L1 for λ2 ≥ L2,
 /// and below λ1 = L1 + (1 − L1) ((L2 − λ2)/L2)^(0.185 α^1.785), with L1 = 1.25/(α − 2.75) and L2 =
-/// α L1/2. Along the straight line αm is 4m + 1.25e: a stiffener far away has no effect.
+/// α L1/2. Along the straight line αm is 4m + 1.25e: a stiffener far away has no effect. The figure
+/// ends with the curve of 4.45; for narrow edges (e < 0.36 m) the same curves go on to 4, so that α
+/// is never more than the row has without a stiffener.
 ///
 /// # Source
 /// EN 1993-1-8:2005 figure 6.11; the closed form of its curves as published with the code's
 /// background (SCI P398, appendix G).
 pub fn alpha(m: f64, e: f64, m2: f64) -> f64 {
     let (lambda1, lambda2) = (m / (m + e), m2 / (m + e));
-    let (mut low, mut high) = (4.45, 8.0);
+    let (mut low, mut high) = (4.0, 8.0);
     // λ1 of the curve falls as α grows
     if curve(low, lambda2) <= lambda1 {
         return low;

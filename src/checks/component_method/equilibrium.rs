@@ -5,12 +5,13 @@
 //! flanges and the web of the beam have a resistance, and the largest factor on M and N together is
 //! the solution of a linear program. Its row forces are in equilibrium with M and N.
 
-use super::assembly::{NEARLY_BOLTS, RowForce, assess, compressed, zone};
+use super::assembly::{RowForce, assess};
 use super::beam;
-use super::column_web::compressed_width;
+use super::compressed_zone::{CompressedZone, beyond, compressed_width, zone};
 use super::joint::{Column, EndPlateJoint};
 use super::rows::{Component, Rows};
-use crate::checks::check::number as n;
+use crate::assembly::Way;
+use crate::checks::check::{number as n, within};
 use crate::checks::error::CheckError;
 use microlp::{ComparisonOp, OptimizationDirection, Problem, Solution, Variable};
 
@@ -132,7 +133,7 @@ impl Equilibrium {
 
     /// Whether an axial force is small enough to be neglected beside a moment.
     pub fn small(&self, axial: f64) -> bool {
-        axial.abs() <= SMALL_AXIAL * self.plastic
+        within(axial.abs(), SMALL_AXIAL * self.plastic)
     }
 
     /// The interaction curve: `count` points (N, M) in the order of their angle, measured with N
@@ -167,8 +168,7 @@ impl RowSet {
         let compression = Some(Compression::new(joint, found.beam_moment.value, shear_area));
         let panel = found.panel.as_ref().map(|p| p.value / joint.beta);
         let elastic = found.rows.iter().enumerate().map(|(r, row)| {
-            let above =
-                found.rows[..r].iter().filter(|a| a.grouped > NEARLY_BOLTS * joint.bolts.tension);
+            let above = found.rows[..r].iter().filter(|a| a.nearly_bolts(joint.bolts.tension));
             above.map(|a: &RowForce| a.grouped * row.lever / a.lever).fold(f64::INFINITY, f64::min)
         });
         let elastic = elastic.collect();
@@ -306,7 +306,13 @@ impl Compression {
     fn buckles(joint: &EndPlateJoint, c: &Column) -> Option<String> {
         let (b, width) = (&joint.beam.section, compressed_width(joint, c));
         let depth = b.h - b.tf;
-        let width = if c.stiffener > 0.0 { depth - width } else { depth + width };
+        let width = match c.stiffener > 0.0 {
+            true => depth - width,
+            false => {
+                let both = [Way::Up, Way::Down].map(|flange| beyond(joint, c, flange, 0.5 * width));
+                depth + both[0] + both[1]
+            }
+        };
         let web = zone(joint, c, width.max(0.0), 1.0);
         let (lambda, rho) = (web.slenderness(), web.buckling());
         (rho < 1.0).then(|| {
@@ -329,10 +335,9 @@ impl Compression {
         let width = compressed_width(joint, c);
         let bare = |width: f64| zone(joint, c, width, shear_area).resistance().value;
         // half a zone beyond either flange, as far as the column reaches
-        let beyond = [c.above, c.below]
-            .map(|end| end.map_or(0.5 * width, |end| (end - lever).clamp(0.0, 0.5 * width)));
-        let least = 0.5 * width + beyond[0].min(beyond[1]);
-        let flange = compressed(&zone(joint, c, least, shear_area), c).value;
+        let beyond = [Way::Up, Way::Down].map(|flange| beyond(joint, c, flange, 0.5 * width));
+        let of_zone = |flange| CompressedZone::new(joint, c, flange, shear_area).resistance().value;
+        let flange = of_zone(Way::Up).min(of_zone(Way::Down));
         let between = (2.0 * lever - width).max(0.0);
         let between = if between > 0.0 { bare(between) } else { 0.0 };
         // without stiffeners the two zones and the web between them buckle together

@@ -1,6 +1,8 @@
 //! Dimensions and steels of a bolted end-plate joint, between a beam and a column flange or between
 //! two beams.
 
+use crate::assembly::ColumnEnds;
+use crate::checks::check::within;
 use crate::checks::error::{CheckError, not_negative, positive};
 use crate::checks::eurocode::i_section::Section;
 use serde::{Deserialize, Serialize};
@@ -30,6 +32,11 @@ pub struct Column {
 }
 
 impl Column {
+    /// Where the column really ends.
+    pub fn ends(&self) -> ColumnEnds {
+        ColumnEnds { above: self.above, below: self.below }
+    }
+
     /// Refuses values for which the formulas have no meaning.
     fn check(&self) -> Result<(), CheckError> {
         not_negative("root radius of the column [mm]", self.section.r)?;
@@ -47,7 +54,7 @@ impl Column {
         ] {
             not_negative(name, value)?;
         }
-        if self.longitudinal <= self.fy {
+        if within(self.longitudinal, self.fy) {
             return Ok(());
         }
         let quantity = "longitudinal stress of the column [MPa]";
@@ -139,7 +146,8 @@ impl EndPlateJoint {
     pub fn mirrored(&self) -> Self {
         let mut j = self.clone();
         if let (Some(turned), Some(c)) = (&mut j.column, &self.column) {
-            (turned.above, turned.below) = (c.below, c.above);
+            let ends = c.ends().mirrored();
+            (turned.above, turned.below) = (ends.above, ends.below);
         }
         (j.plate.bottom, j.plate.top) = (-self.plate.top, -self.plate.bottom);
         j.bolts.rows.iter_mut().for_each(|z| *z = -*z);
@@ -193,20 +201,20 @@ impl EndPlateJoint {
         range(
             "upper edge of the plate [mm]",
             p.top,
-            p.top.is_finite() && p.top >= half,
+            p.top.is_finite() && within(half, p.top),
             "it must cover the beam",
         )?;
         range(
             "lower edge of the plate [mm]",
             p.bottom,
-            p.bottom.is_finite() && p.bottom <= -half,
+            p.bottom.is_finite() && within(half, -p.bottom),
             "it must cover the beam",
         )?;
         let width = c.map_or(p.width, |c| p.width.min(c.section.b));
         range(
             "gauge of the bolts [mm]",
             k.gauge,
-            k.gauge < width,
+            !within(width, k.gauge),
             "it must be less than plate and column flange are wide",
         )?;
         range(
@@ -217,9 +225,8 @@ impl EndPlateJoint {
         )?;
         for (i, &z) in k.rows.iter().enumerate() {
             range("row of bolts [mm]", z, z > p.bottom && z < p.top, "it must lie on the plate")?;
-            let on_column = c.is_none_or(|c| {
-                c.below.is_none_or(|end| -end < z) && c.above.is_none_or(|end| z < end)
-            });
+            let on_column =
+                c.is_none_or(|c| c.ends().nearest(z).is_none_or(|distance| distance > 0.0));
             range("row of bolts [mm]", z, on_column, "it must lie on the column")?;
             range("row of bolts [mm]", z, !k.rows[..i].contains(&z), "the same row stands twice")?;
         }

@@ -3,6 +3,7 @@
 pub mod assembly;
 pub mod beam;
 pub mod column_web;
+pub mod compressed_zone;
 pub mod effective_lengths;
 pub mod equilibrium;
 pub mod joint;

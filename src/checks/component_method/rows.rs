@@ -8,7 +8,8 @@ use super::effective_lengths::{self as lengths, Lengths};
 use super::joint::{Column, EndPlateJoint};
 use super::t_stub::{Mode, Prying, TStub, prying};
 use super::{beam, column_web};
-use crate::checks::check::number as n;
+use crate::assembly::Way;
+use crate::checks::check::{number as n, within};
 use crate::checks::error::CheckError;
 use crate::checks::worked::Worked;
 use std::f64::consts::SQRT_2;
@@ -101,6 +102,18 @@ impl<'a> Rows<'a> {
             return not(
                 "two rows or more lie outside the tension flange of the beam".into(),
                 "EN 1993-1-8:2005 Table 6.6",
+            );
+        }
+        let (gauge, flange) = (self.joint.bolts.gauge, self.joint.beam.section.b);
+        if !within(gauge, flange) {
+            return not(
+                format!(
+                    "the bolts stand beyond the tips of the beam flange: a gauge of {} mm beside a \
+                     flange of {} mm, where no flange holds a T-stub of the end plate",
+                    n(gauge),
+                    n(flange)
+                ),
+                "EN 1993-1-8:2005 figure 6.10",
             );
         }
         let column = self.joint.column.as_ref().map(|c| (self.m_column(c), "column web"));
@@ -238,10 +251,11 @@ impl<'a> Rows<'a> {
         let (m, e) = (self.m_column(column), self.e_column(column));
         let beside = self.stiffeners(row);
         let alpha = |m2: Option<f64>| m2.map(|m2| lengths::alpha(m, e, m2));
-        let up = column.above.filter(|_| row == 0).map(|end| end - self.z[row]);
-        // the lower end matters only where the lowest row is in tension
-        let lowest = self.flanges == Flanges::Both && row + 1 == self.count();
-        let down = column.below.filter(|_| lowest).map(|end| end + self.z[row]);
+        let end = |way| column.ends().from(self.z[row], way);
+        let up = end(Way::Up).filter(|_| row == 0);
+        // the lowest row in tension is an end row where it is the lowest of all
+        let lowest = row + 1 == self.joint.bolts.rows.len();
+        let down = end(Way::Down).filter(|_| lowest);
         let Some((first, last)) = group else {
             let alpha = beside.into_iter().filter_map(alpha).reduce(f64::max);
             let nearest = [up, down].into_iter().flatten().reduce(f64::min);

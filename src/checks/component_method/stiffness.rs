@@ -1,8 +1,10 @@
 //! Rotational stiffness: EN 1993-1-8:2005 6.3.
 
+use super::compressed_zone::CompressedZone;
 use super::joint::EndPlateJoint;
 use super::rows::Rows;
 use super::{ELASTIC_STIFFNESS, INITIAL_STIFFNESS, column_web};
+use crate::assembly::Way;
 use crate::checks::check::{Unit, number as n};
 use crate::checks::error::CheckError;
 use crate::checks::worked::Worked;
@@ -109,8 +111,8 @@ pub fn initial(joint: &EndPlateJoint, rows: &Rows<'_>) -> Result<Stiffness, Chec
     let sheared = c.is_some() && joint.beta > 0.0;
     let panel = sheared.then(|| panel_in_shear(rows.shear_area(), joint.beta, lever));
     let compression = c.filter(|c| c.stiffener == 0.0).map(|c| {
-        let (s, width) = (&c.section, column_web::compressed_width(joint, c));
-        web_across(width, column_web::compressed_thickness(s.tw, c.doublers), s.clear_depth())
+        let web = CompressedZone::new(joint, c, Way::Down, rows.shear_area()).web;
+        web_across(web.effective_width, web.web, web.clear_depth)
     });
     let flexibility: f64 =
         panel.into_iter().chain(compression).chain([equivalent]).map(|k| 1.0 / k).sum();

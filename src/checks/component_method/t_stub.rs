@@ -1,6 +1,6 @@
 //! The equivalent T-stub in tension: EN 1993-1-8:2005 Table 6.2.
 
-use crate::checks::check::{Unit, number as n};
+use crate::checks::check::{Unit, number as n, within};
 use crate::checks::worked::Worked;
 
 /// Failure mode of a T-stub.
@@ -107,7 +107,7 @@ impl TStub {
         }
         modes.push((Mode::Bolts, self.bolts));
         // of equal modes the first decides
-        let least = modes.iter().fold(&modes[0], |a, b| if b.1 < a.1 { b } else { a });
+        let least = modes.iter().fold(&modes[0], |a, b| if within(a.1, b.1) { a } else { b });
         // writing a formula takes longer than computing it: only that of the mode that decides
         let formula =
             format!("F_T,Rd ({}) = {}", least.0.name(), self.formula(least.0, mpl1, mpl2));
@@ -181,5 +181,5 @@ pub fn prying(
     thickness: f64,
 ) -> Prying {
     let limit = 8.8 * m.powi(3) * stress_area * rows as f64 / (length1 * thickness.powi(3));
-    if elongation <= limit { Prying::Develops } else { Prying::Absent }
+    if within(elongation, limit) { Prying::Develops } else { Prying::Absent }
 }

@@ -1,7 +1,7 @@
 //! The beam's own cross-section under the actions at the joint.
 
 use crate::assembly::{EndPlate, PlaneActions};
-use crate::checks::check::{Check, Status, Topic, Unit, number as n};
+use crate::checks::check::{Check, Status, Topic, Unit, number as n, within};
 use crate::checks::eurocode::i_section::Section;
 use crate::checks::eurocode::section::{
     Class, CrossSection, Slenderness, plastic_shear, shear_reduction,
@@ -28,7 +28,7 @@ pub(super) fn beam(e: &EndPlate, a: &PlaneActions) -> Vec<Check> {
     if vz != 0.0 {
         out.push(against(beam.shear(), vz));
         let (slenderness, limit) = beam.web_slenderness();
-        if slenderness > limit {
+        if !within(slenderness, limit) {
             let worked = beam.shear_buckling(e.factors.gamma_m1);
             out.push(worked.against(Topic::Stability, subject.clone(), vz.abs(), Status::Failed));
         }
@@ -224,7 +224,7 @@ pub(super) fn beyond_the_beam(e: &EndPlate, a: &PlaneActions) -> Option<String> 
     let worst =
         [moment, normal, shear].into_iter().max_by(|a, b| (a.0 / a.1).total_cmp(&(b.0 / b.1)))?;
     let (demand, capacity, action, resistance, unit) = worst;
-    (demand > capacity).then(|| {
+    (!within(demand, capacity)).then(|| {
         format!(
             "{action} = {} is {} times {resistance} = {} of the beam {}: check the number and its \
              unit",

@@ -4,13 +4,13 @@
 //! resistance, `1 − F_t,Ed/(1.4 F_t,Rd)`: 1 for a bolt without tension, 0.4/1.4 for a bolt at
 //! F_t,Rd, the two values of 6.2.2(2).
 
-use super::bolt_checks::bearing;
-use super::bolt_rows::{from_top, pitches};
+use super::bolt_checks::{bearing_at, bolt_shear};
+use super::bolt_rows::from_top;
 use super::clamped_plates::{ClampedPlate, clamped_plates};
 use super::member_end::LoadedEnd;
-use crate::assembly::EndPlate;
-use crate::checks::check::{Check, Status, Topic, Unit, number as n};
-use crate::checks::eurocode::bearing::Along;
+use crate::assembly::{EndPlate, Way};
+use crate::checks::check::{Check, Status, Topic, Unit, largest, number as n};
+use crate::checks::eurocode::block_tearing::Blocks;
 use crate::checks::eurocode::bolts::{shear_resistance, tension_resistance};
 use crate::checks::eurocode::interaction::{self, Forces};
 use crate::checks::eurocode::punching::{mean_diameter, punching_resistance};
@@ -42,6 +42,10 @@ pub(super) struct BoltForces<'a> {
     tension_resistance: f64,
     /// F_v,Rd of one bolt, thread in the shear plane \[N\].
     shear_resistance: f64,
+    /// Its formula, where it is not that of Table 3.4 alone.
+    reduced: Option<String>,
+    /// Shear forces across and along the member \[N\].
+    force: [f64; 2],
 }
 
 impl<'a> BoltForces<'a> {
@@ -49,6 +53,8 @@ impl<'a> BoltForces<'a> {
     pub fn new(loaded: &LoadedEnd<'a>) -> Self {
         let (e, a) = (loaded.end.e, loaded.end.a);
         let [[_, vy, vz], _] = a.at(1.0);
+        let whole = shear_resistance(&e.bolt, &e.grade, e.factors.gamma_m2).value;
+        let shear = bolt_shear(e, [vy, vz]);
         Self {
             e,
             end: &a.end,
@@ -58,7 +64,9 @@ impl<'a> BoltForces<'a> {
                 .collect(),
             shear: vz.hypot(vy),
             tension_resistance: tension_resistance(&e.bolt, &e.grade, e.factors.gamma_m2).value,
-            shear_resistance: shear_resistance(&e.bolt, &e.grade, e.factors.gamma_m2).value,
+            shear_resistance: shear.value,
+            reduced: (shear.value < whole).then_some(shear.formula),
+            force: [vy, vz],
         }
     }
 
@@ -114,6 +122,7 @@ impl<'a> BoltForces<'a> {
         out.extend(self.shear_and_tension());
         for plate in clamped_plates(self.e) {
             out.extend(self.bearing(&plate));
+            out.extend(self.block_tearing(&plate));
             out.extend(self.punching(&plate));
         }
         out
@@ -122,8 +131,9 @@ impl<'a> BoltForces<'a> {
     /// The bolts together in shear, each with the share that its tension leaves.
     fn shear(&self) -> Check {
         let each = self.rows.iter().map(|r| format!("2 · {}", n(self.shear_share(r.tension))));
+        let reduced = self.reduced.as_ref().map_or(String::new(), |f| format!("{f}; "));
         let formula = format!(
-            "V_Rd = Σ (1 − F_t,Ed/(1.4 F_t,Rd)) F_v,Rd = ({}) · {}",
+            "{reduced}V_Rd = Σ (1 − F_t,Ed/(1.4 F_t,Rd)) F_v,Rd = ({}) · {}",
             each.collect::<Vec<_>>().join(" + "),
             Unit::Force.show(self.shear_resistance)
         );
@@ -177,24 +187,40 @@ impl<'a> BoltForces<'a> {
 
     /// Bearing of a plate at the row that uses it most.
     fn bearing(&self, plate: &ClampedPlate) -> Option<Check> {
-        let e = self.e;
-        let end = self.rows.len().saturating_sub(1);
-        let each = self.rows.iter().enumerate().filter_map(|(i, &row)| {
-            let inner = pitches(e).map(|[p1, _]| Along::Inner { p1 });
-            // the end rows of the plate, whichever way the force points; the ends of the column are
-            // far away
-            let e1 = (e.top - row.z).min(row.z - e.bottom);
-            let outer =
-                (plate.name == "end plate" && (i == 0 || i == end)).then_some(Along::End { e1 });
-            let far = inner.is_none() && outer.is_none();
-            let all = [inner, outer, far.then_some(Along::End { e1: 3.0 * e.hole })];
-            let all = all.into_iter().flatten().map(|along| bearing(e, along, plate));
-            let least = all.reduce(|a, b| if b.value < a.value { b } else { a })?;
+        let each = self.rows.iter().filter_map(|&row| {
+            let least = bearing_at(self.e, plate, row.z, self.force)?;
             Some((row, self.bolt_shear(row), least))
         });
         let (row, force, worked) = largest(each, |(_, force, worked)| force / worked.value)?;
         let place = format!("{}, {}", plate.name, self.place(row));
         Some(worked.against(Topic::Bolts, place, force, Status::Failed))
+    }
+
+    /// Block tearing of both edges of a plate under the vertical force: along each column of bolts
+    /// to the end that the bolts press the plate to, and across to the edge. `None` without a
+    /// vertical force, and where the column goes on.
+    fn block_tearing(&self, plate: &ClampedPlate) -> Option<Check> {
+        let e = self.e;
+        let on_column = Way::of(self.force[1])?;
+        let (first, last) = (self.rows.first()?.z, self.rows.last()?.z);
+        let farthest = |way| if way == Way::Up { last } else { first };
+        let whole = match e.column.as_ref().filter(|_| plate.name != "end plate") {
+            Some(c) => c.ends().from(farthest(on_column), on_column)?,
+            // the bolts press the end plate against the force of the beam
+            None if on_column == Way::Down => e.top - farthest(Way::Up),
+            None => farthest(Way::Down) - e.bottom,
+        };
+        let blocks = Blocks {
+            count: 2.0,
+            tension: 0.5 * (plate.width - e.gauge.max(e.outer_gauge)) - 0.5 * e.hole,
+            shear: whole - (self.rows.len() as f64 - 0.5) * e.hole,
+            thickness: plate.thickness,
+            fy: plate.fy,
+            fu: plate.fu,
+        };
+        let worked = blocks.resistance(e.factors.gamma_m0, e.factors.gamma_m2);
+        let place = format!("{}, {}", plate.name, self.end);
+        Some(worked.against(Topic::Bolts, place, self.force[1].abs(), Status::Failed))
     }
 
     /// Punching of a plate at the row that is pulled most.
@@ -210,9 +236,4 @@ impl<'a> BoltForces<'a> {
         let place = format!("{}, {}", plate.name, self.capped_place(row));
         Some(worked.against(Topic::Bolts, place, self.capped(row.tension), Status::Failed))
     }
-}
-
-/// The item with the largest value, the first of equal ones.
-fn largest<T>(of: impl Iterator<Item = T>, value: impl Fn(&T) -> f64) -> Option<T> {
-    of.reduce(|a, b| if value(&b) > value(&a) { b } else { a })
 }

@@ -12,6 +12,8 @@ pub(super) struct ClampedPlate {
     /// `end plate` or `column flange`.
     pub name: &'static str,
     pub thickness: f64,
+    /// Yield strength \[MPa\].
+    pub fy: f64,
     /// Ultimate strength \[MPa\].
     pub fu: f64,
     pub width: f64,
@@ -23,12 +25,14 @@ pub(super) fn clamped_plates(e: &EndPlate) -> Vec<ClampedPlate> {
     let plate = ClampedPlate {
         name: "end plate",
         thickness: e.thickness,
+        fy: e.plate_steel.fy,
         fu: e.plate_steel.fu,
         width: e.width,
     };
     let flange = e.column.as_ref().map(|c| ClampedPlate {
         name: "column flange",
         thickness: c.section.tf,
+        fy: c.steel.fy,
         fu: c.steel.fu,
         width: c.section.b,
     });

@@ -4,7 +4,7 @@
 use super::column_forces::columns;
 use super::member_end::MemberEnd;
 use crate::assembly::EndPlate;
-use crate::checks::check::{Check, Topic, Unit, number as n};
+use crate::checks::check::{Check, Topic, Unit, number as n, within};
 use crate::checks::classification::{
     Frame, STIFF_COLUMNS, StiffnessLimits, stiffness_limits, strength_class,
 };
@@ -62,7 +62,7 @@ fn strength(end: &MemberEnd<'_>) -> Check {
 fn stiffness(end: &MemberEnd<'_>) -> Option<Check> {
     let demand = end.a.at(1.0)[1][1].abs();
     let (initial, joint) = (end.assessment.stiffness.initial.value, end.assessment.moment.value);
-    if demand > joint {
+    if !within(demand, joint) {
         return None;
     }
     let mut worked = at_moment(initial, demand, joint);
@@ -80,7 +80,7 @@ fn slender_columns(e: &EndPlate) -> Option<f64> {
 /// Limits of the classes by stiffness in a kind of frame; `None` if the length of the beam is not
 /// known.
 fn limits(e: &EndPlate, frame: Frame) -> Option<StiffnessLimits> {
-    let stiff = slender_columns(e).is_some_and(|r| r < STIFF_COLUMNS);
+    let stiff = slender_columns(e).is_some_and(|r| !within(STIFF_COLUMNS, r));
     let inertia = 1e4 * e.beam.i_y;
     let of = |length| stiffness_limits(frame, stiff, e.beam_steel.e, inertia, length);
     e.system_length.map(of)

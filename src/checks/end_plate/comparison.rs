@@ -1,7 +1,7 @@
 //! Resistance of a joint by the component method, to compare with the bracket of a limit analysis.
 
 use crate::assembly::{EndPlate, PlaneActions};
-use crate::checks::check::{Unit, number as n};
+use crate::checks::check::{Unit, number as n, within};
 use crate::checks::component_method::Assessment;
 use crate::checks::component_method::equilibrium::{Carried, Equilibrium, SMALL_AXIAL};
 use crate::checks::worked::Worked;
@@ -235,7 +235,8 @@ fn factor(a: &PlaneActions, method: &Method) -> Option<f64> {
         let counts = SMALL_AXIAL * plastic / axial.abs();
         let together =
             || method.equilibrium.as_ref().and_then(|e| e.at(axial, my)).map_or(0.0, |c| c.factor);
-        let least = if bending <= counts { bending } else { bending.min(together()).max(counts) };
+        let least =
+            if within(bending, counts) { bending } else { bending.min(together()).max(counts) };
         let resistance = method
             .equilibrium
             .as_ref()

@@ -4,7 +4,7 @@
 use super::bolt_rows::{end_distance, from_top, pitches};
 use super::clamped_plates::{WASHERS, grip, other_thickness, stocked_length};
 use crate::assembly::{ColumnSide, EndPlate};
-use crate::checks::check::{Check, Status, Step, Topic, Unit, number as n};
+use crate::checks::check::{Check, Status, Step, Topic, Unit, number as n, within};
 use crate::checks::component_method::column_web::STIFFENER_SLENDERNESS;
 use crate::checks::eurocode::bolt_length;
 use crate::checks::eurocode::section::epsilon;
@@ -36,10 +36,9 @@ fn spacing(e: &EndPlate) -> Vec<Check> {
     };
     let mut out = pattern_checks("end plate", &plate);
     if let Some(c) = &e.column {
-        // the pattern has the pitch and gauge of the plate; the ends of the column are far away
-        let free = |end: Option<f64>| end.unwrap_or(f64::INFINITY);
-        let end = end_distance(e, -free(c.below), free(c.above));
-        let e1 = (end < 4.0 * thinner + 40.0).then_some(end);
+        // the pattern has the pitch and gauge of the plate
+        let ends = e.rows.iter().filter_map(|z| c.ends().nearest(*z));
+        let e1 = ends.reduce(f64::min).filter(|end| within(*end, 4.0 * thinner + 40.0));
         let flange =
             Pattern { e1, e2: Some(0.5 * (c.section.b - outermost)), p1: None, p2: None, ..plate };
         out.extend(pattern_checks("column flange", &flange));

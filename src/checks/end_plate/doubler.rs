@@ -1,7 +1,7 @@
 //! Supplementary web plate of the column.
 
 use crate::assembly::ColumnSide;
-use crate::checks::check::number as n;
+use crate::checks::check::{number as n, within};
 use crate::checks::eurocode::i_section::Section;
 use crate::checks::eurocode::section::epsilon;
 
@@ -13,7 +13,7 @@ use crate::checks::eurocode::section::epsilon;
 pub(super) fn doubler_fault(c: &ColumnSide) -> Option<String> {
     let (s, width) = (&c.section, doubler_width(c));
     let widest = 40.0 * epsilon(c.steel.fy) * c.doubler;
-    if c.doubler < s.tw {
+    if !within(s.tw, c.doubler) {
         return Some(format!(
             "t_s = {} mm is less than t_wc = {} mm (6.2.6.1)",
             n(c.doubler),
@@ -22,7 +22,7 @@ pub(super) fn doubler_fault(c: &ColumnSide) -> Option<String> {
     }
     let words =
         || format!("b_s = {} mm is more than 40 ε t_s = {} mm (6.2.6.1)", n(width), n(widest));
-    (width > widest).then(words)
+    (!within(width, widest)).then(words)
 }
 
 /// Width b_s of the plate \[mm\]: the flat part of the web.

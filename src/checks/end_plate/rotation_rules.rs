@@ -3,7 +3,7 @@
 
 use super::sense::Sense;
 use crate::assembly::{ColumnSide, EndPlate};
-use crate::checks::check::{Check, Status, Unit};
+use crate::checks::check::{Check, Status, Unit, within};
 use crate::checks::component_method::equilibrium::SMALL_AXIAL;
 use crate::checks::ductility::{Clamped, plastic_distribution, rotation_capacity};
 
@@ -121,7 +121,7 @@ fn not_covered(e: &EndPlate) -> Option<String> {
     let covered = |grade: &str| EN_6_4_2_STEELS.iter().any(|g| grade.starts_with(g));
     match steels.into_iter().flatten().find(|s| !covered(&s.grade)) {
         Some(steel) => Some(format!("6.4.2 does not cover {}", steel.grade)),
-        None if axial > SMALL_AXIAL * plastic => {
+        None if !within(axial, SMALL_AXIAL * plastic) => {
             Some(format!("6.4.2 does not cover N_Ed = {} > 0.05 N_pl,Rd", Unit::Force.show(axial)))
         }
         None => None,

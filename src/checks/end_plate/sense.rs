@@ -1,7 +1,7 @@
 //! Sense of bending of a joint.
 
 use super::transformation::beta;
-use crate::assembly::EndPlate;
+use crate::assembly::{EndPlate, Way};
 use crate::checks::component_method::joint::EndPlateJoint;
 
 /// Side of the beam that a moment puts in tension.
@@ -28,6 +28,16 @@ impl Sense {
             Sense::Top => joint.clone(),
             Sense::Bottom => joint.mirrored(),
         }
+    }
+
+    /// Flange of the beam in tension.
+    pub fn pulled(self) -> Way {
+        if self == Sense::Top { Way::Up } else { Way::Down }
+    }
+
+    /// Flange of the beam in compression.
+    pub fn compressed(self) -> Way {
+        if self == Sense::Top { Way::Down } else { Way::Up }
     }
 
     /// Sense of a moment My of a member end; positive: tension at the top.

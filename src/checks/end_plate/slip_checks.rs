@@ -1,27 +1,13 @@
-//! Slip of preloaded bolts by their category, and the kind of holes and bolt assemblies.
+//! Slip of preloaded bolts by their category, and the kind of bolt assemblies.
 
+use super::bolt_holes::Clearance;
+use super::hole_checks::holes;
 use crate::assembly::{EndPlate, PlaneActions};
-use crate::checks::check::{Check, Status, Topic, Unit, number as n};
-use crate::checks::eurocode::bearing::Hole;
-use crate::checks::eurocode::slip::{SlipHole, preload, slip_resistance};
+use crate::checks::check::{Check, Status, Topic, Unit, number as n, within};
+use crate::checks::eurocode::slip::{preload, slip_resistance};
 use crate::checks::worked::Worked;
 use crate::spec::connection::BoltCategory;
 use crate::spec::loads::LimitState;
-
-/// Tolerance of the comparison of hole diameters \[mm\].
-const WIDER: f64 = 1e-6;
-
-/// Kind of the holes for bearing and for slip: a hole wider than normal is oversize.
-///
-/// # Source
-/// EN 1993-1-8:2005 Table 3.4 note 1 and Table 3.6; EN 1090-2 Table 11 for the clearances.
-pub(super) fn hole(e: &EndPlate) -> (Hole, SlipHole) {
-    if e.hole > e.bolt.hole_normal + WIDER {
-        (Hole::Oversize, SlipHole::Oversize)
-    } else {
-        (Hole::Normal, SlipHole::Normal)
-    }
-}
 
 /// Limit state in which slip is checked, as the title of the check, and its status where it fails.
 fn demanded(category: Option<BoltCategory>, state: LimitState) -> Option<(&'static str, Status)> {
@@ -55,7 +41,16 @@ pub(super) fn slip(e: &EndPlate, a: &PlaneActions) -> Option<Check> {
     let [axial, vy, vz] = a.at(1.0)[0];
     let shear = vy.hypot(vz);
     let bolts = 2.0 * e.rows.len() as f64;
-    let mut worked = slip_resistance(hole(e).1, 1, e.mu, preload, axial.max(0.0) / bolts, gamma);
+    let Some(hole) = Clearance::of(e).slip() else {
+        let why = "Table 3.6 has no k_s for holes wider than oversize";
+        let mut check =
+            Check::undecided(Topic::Bolts, &a.end, "EN 1993-1-8:2005 Table 3.6", title, why);
+        if otherwise != Status::Failed {
+            check.status = Status::Warning;
+        }
+        return Some(check);
+    };
+    let mut worked = slip_resistance(hole, 1, e.mu, preload, axial.max(0.0) / bolts, gamma);
     worked.title = title;
     worked.formula =
         format!("V_Ed/n = {}/{}; {}", Unit::Force.show(shear), n(bolts), worked.formula);
@@ -97,41 +92,11 @@ pub(super) fn assembly(e: &EndPlate) -> Vec<Check> {
     }
     let full = preload(&e.bolt, &e.grade);
     if e.category.is_some_and(|c| matches!(c, BoltCategory::B | BoltCategory::C))
-        && force > full.value * (1.0 + 1e-9)
+        && !within(force, full.value)
     {
         let mut worked = full;
         worked.title = "preload of the slip resistance, no more than F_p,C";
         out.push(worked.against(Topic::Bolts, subject, force, Status::Failed));
     }
-    out
-}
-
-/// Kind of the holes with its factors, and a warning where they are wider than oversize.
-fn holes(e: &EndPlate) -> Vec<Check> {
-    const CLAUSE: &str = "EN 1090-2:2008 Table 11";
-    let b = &e.bolt;
-    let (kind, slip) = hole(e);
-    let (title, part) = match kind {
-        Hole::Oversize => ("oversize round holes", 0.8),
-        _ => ("normal round holes", 1.0),
-    };
-    let formula = format!(
-        "d0 = {} mm, normal {} mm, oversize {} mm: bearing times {} (Table 3.4), k_s = {} (Table \
-         3.6); d0 − d",
-        n(e.hole),
-        n(b.hole_normal),
-        n(b.hole_oversize),
-        n(part),
-        n(slip.ks())
-    );
-    let mut out = vec![
-        Worked::new(CLAUSE, title, e.hole - b.d, Unit::Length, formula)
-            .information(Topic::Detailing, "holes"),
-    ];
-    let what = (CLAUSE, "oversize round hole");
-    let rule = (b.hole_oversize, format!("{} mm", n(b.hole_oversize)));
-    let wider =
-        Check::at_most((Topic::Detailing, "holes"), what, "d0", rule, e.hole, Status::Warning);
-    out.extend((wider.status != Status::Ok).then_some(wider));
     out
 }

@@ -9,8 +9,8 @@ use super::doubler::doubler_fault;
 use super::member_end::{LoadedEnd, MemberEnd};
 use super::transformation::{beta, other_ends};
 use super::welded_steel;
-use crate::assembly::{ColumnSide, EndPlate};
-use crate::checks::check::{Check, Status, Topic, Unit, number as n};
+use crate::assembly::{ColumnSide, EndPlate, Way};
+use crate::checks::check::{Check, Status, Topic, Unit, largest, number as n, within};
 use crate::checks::component_method::assembly::Group;
 use crate::checks::component_method::column_web::compressed_thickness;
 use crate::checks::component_method::{Assessment, Summed, assess};
@@ -56,6 +56,8 @@ impl Stiffeners<'_> {
 struct Share {
     /// `compressed stiffeners` or `stiffeners in tension`.
     side: &'static str,
+    /// Flange of the beam that they are level with.
+    level: Way,
     /// Force of the stiffeners on both sides of the web.
     force: f64,
     /// Its formula with numbers.
@@ -123,7 +125,8 @@ fn compression(
     let part = s.resistance() / both;
     let formula =
         format!("F_Ed = F_c,Ed A_net f_y/(…) = {} · {}", Unit::Force.show(force), n(part));
-    Some((check, Share { side: "compressed stiffeners", force: part * force, formula }))
+    let level = loaded.end.sense.compressed();
+    Some((check, Share { side: "compressed stiffeners", level, force: part * force, formula }))
 }
 
 /// Net section of the stiffeners at the flange in tension, under the rows above and below: the
@@ -177,7 +180,8 @@ fn tension(
     }
     let check =
         worked.against(Topic::Member, loaded.place("stiffeners in tension"), force, Status::Failed);
-    Some((check, Share { side: "stiffeners in tension", force, formula }))
+    let level = loaded.end.sense.pulled();
+    Some((check, Share { side: "stiffeners in tension", level, force, formula }))
 }
 
 /// Fillet welds of the stiffeners: to the flange of the column for the force of the stiffeners, to
@@ -185,7 +189,7 @@ fn tension(
 ///
 /// # Source
 /// EN 1993-1-8:2005 4.5.3.3, 4.5.1(1) for the effective length; four welds, one on either side of
-/// each stiffener.
+/// each stiffener, two where the column ends with the stiffeners.
 fn stiffener_welds(
     loaded: &LoadedEnd<'_>,
     c: &ColumnSide,
@@ -198,31 +202,38 @@ fn stiffener_welds(
     };
     let flange = 0.5 * (c.section.b - c.section.tw) - c.stiffener_clip - 2.0 * a;
     let web = c.section.h - 2.0 * (c.section.tf + c.stiffener_clip) - 2.0 * a;
-    let four = |force: f64, length: f64, formula: &str, subject: String| {
+    let seams = |s: &Share| 2.0 * seams(loaded.end.e, c, s.level);
+    let all = |count: f64, force: f64, length: f64, formula: &str, subject: String| {
         // compared as forces, so that welds without any effective length fail
         let each = simplified(a, &steel);
         let formula = format!(
-            "{formula}; {}; F_Rd = 4 l_eff F_w,Rd = 4 · {} · {}",
+            "{formula}; {}; F_Rd = {} l_eff F_w,Rd = {} · {} · {}",
             each.formula,
+            n(count),
+            n(count),
             n(length),
             n(each.value)
         );
         let title = "fillet welds of the column stiffeners";
         let worked =
-            Worked::new(each.clause, title, 4.0 * length * each.value, Unit::Force, formula);
+            Worked::new(each.clause, title, count * length * each.value, Unit::Force, formula);
         worked.against(Topic::Welds, subject, force, Status::Failed)
     };
     for s in shares {
-        out.push(four(
+        out.push(all(
+            seams(s),
             s.force,
             flange,
             &s.formula,
             loaded.place(&format!("{} to the column flange", s.side)),
         ));
     }
-    if let Some(s) = shares.iter().reduce(|a, b| if b.force > a.force { b } else { a }) {
+    // the pair with the largest force on a seam
+    let per = |s: &Share| s.force / seams(s);
+    if let Some(s) = largest(shares, |s| per(s)) {
         let formula = format!("F_Ed = β F = {} · {}", n(beta), Unit::Force.show(s.force));
-        out.push(four(
+        out.push(all(
+            seams(s),
             beta * s.force,
             web,
             &formula,
@@ -231,6 +242,16 @@ fn stiffener_welds(
     }
     out.extend(least_size(&loaded.place("column stiffeners"), a, flange.min(web)));
     out
+}
+
+/// Sides of a stiffener that have room for a fillet weld: one where the column ends nearer to the
+/// stiffener than the leg of the weld, otherwise two.
+fn seams(e: &EndPlate, c: &ColumnSide, level: Way) -> f64 {
+    let flange = 0.5 * (e.beam.h - e.beam.tf);
+    let z = if level == Way::Up { flange } else { -flange };
+    let leg = SQRT_2 * c.stiffener_throat;
+    let room = c.ends().from(z, level).map(|end| end - 0.5 * c.stiffener);
+    if room.is_none_or(|room| within(leg, room)) { 2.0 } else { 1.0 }
 }
 
 /// Fillet welds round the web plate: the shear flow of its share of the panel, and the throat from

@@ -5,7 +5,7 @@ use super::member_end::LoadedEnd;
 use super::sense::Sense;
 use super::welded_steel;
 use crate::assembly::{EndPlate, PlaneActions};
-use crate::checks::check::{Check, Status, Topic, Unit, number as n};
+use crate::checks::check::{Check, Status, Topic, Unit, largest, number as n, within};
 use crate::checks::component_method::Assessment;
 use crate::checks::eurocode::welds::{
     across_and_along, directional, full_strength_throat, least_size, simplified, transverse,
@@ -125,7 +125,7 @@ fn web_welds(
         );
         (s, worked)
     });
-    each.reduce(|a, b| if b.1.value > a.1.value { b } else { a })
+    largest(each, |(_, worked)| worked.value)
 }
 
 /// The welds of the beam web beside the rows in tension: they carry the force of a row into the web
@@ -168,7 +168,7 @@ fn flange_welds(e: &EndPlate) -> Option<FlangeWelds> {
     let length = flange_run(e);
     let each = transverse(a, &steel);
     let along = each.value * length;
-    let (value, formula) = if a >= full.value && flange > along {
+    let (value, formula) = if within(full.value, a) && flange > along {
         (
             flange,
             format!("a = {} mm ≥ {} of full strength; F_Rd = b t_f f_y/γ_M0", n(a), full.formula),
@@ -267,7 +267,9 @@ fn of_the_flange(e: &EndPlate, subject: &str, a: &Assessment, otherwise: Status)
     let plastic = 1e3 * e.beam.w_pl_y * e.beam_steel.fy / e.factors.gamma_m0;
     // no hinge rotates in the joint where the beam yields first, or in a sense that no load case
     // has
-    if joint >= HINGE_IN_BEAM * plastic || (otherwise != Status::Failed && !e.actions.is_empty()) {
+    if within(HINGE_IN_BEAM * plastic, joint)
+        || (otherwise != Status::Failed && !e.actions.is_empty())
+    {
         return out;
     }
     for (alpha, frame) in OVERSTRENGTH {

@@ -1,7 +1,7 @@
 //! Length of a bolt for the thickness that it clamps.
 
 use crate::catalog::BoltSize;
-use crate::checks::check::{Check, Status, Topic, Unit, number as n};
+use crate::checks::check::{Check, Status, Topic, Unit, number as n, within};
 use crate::checks::worked::Worked;
 
 /// Stocked lengths of hexagon bolts \[mm\].
@@ -41,7 +41,7 @@ pub fn least_length(bolt: &BoltSize, grip: f64, washers: u32) -> Worked {
 
 /// The shortest stocked length that suffices \[mm\]; `None` beyond the longest.
 pub fn stocked_length(least: f64) -> Option<f64> {
-    LENGTHS.into_iter().find(|l| *l >= least)
+    LENGTHS.into_iter().find(|l| within(least, *l))
 }
 
 /// Thread length of a bolt of the given length \[mm\]: b up to 125 mm, b + 6 mm up to 200 mm, b +

@@ -31,6 +31,24 @@ pub fn tension_resistance(bolt: &BoltSize, grade: &BoltGrade, gamma_m2: f64) -> 
     .with("A_s", bolt.stress_area, Unit::Area)
 }
 
+/// Reduction β_Lf of the shear resistance of all bolts of a long joint; `length` L_j between the
+/// end bolts in the direction of the force \[mm\], `d` of the bolt \[mm\].
+///
+/// `β_Lf = 1 − (L_j − 15 d)/(200 d)`, between 0.75 and 1.
+///
+/// # Source
+/// EN 1993-1-8:2005 3.8(1), formula 3.5.
+pub fn long_joint(length: f64, d: f64) -> Worked {
+    let value = (1.0 - (length - 15.0 * d) / (200.0 * d)).clamp(0.75, 1.0);
+    let formula = format!(
+        "β_Lf = 1 − (L_j − 15 d)/(200 d) = 1 − ({} − 15 · {})/(200 · {})",
+        n(length),
+        n(d),
+        n(d)
+    );
+    Worked::new("EN 1993-1-8:2005 3.8(1)", "long joint", value, Unit::Number, formula)
+}
+
 /// Design shear resistance of one bolt per shear plane, the thread in the plane \[N\].
 ///
 /// `F_v,Rd = α_v f_ub A_s / γ_M2`.

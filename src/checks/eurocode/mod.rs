@@ -2,6 +2,7 @@
 //! EN 1993-1-1:2005, 6.2.
 
 pub mod bearing;
+pub mod block_tearing;
 pub mod bolt_length;
 pub mod bolts;
 pub mod i_section;

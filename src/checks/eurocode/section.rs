@@ -2,7 +2,7 @@
 //! axial force is positive in tension.
 
 use super::i_section::Section;
-use crate::checks::check::{Unit, number as n};
+use crate::checks::check::{Unit, number as n, within};
 use crate::checks::error::CheckError;
 use crate::checks::worked::Worked;
 
@@ -53,9 +53,9 @@ impl Slenderness {
             true => [456.0 * eps / (13.0 * alpha - 1.0), 42.0 * eps / (0.67 + 0.33 * psi)],
             false => [83.0 * eps, 124.0 * eps],
         };
-        if self.flange <= 10.0 * eps && self.web <= plastic {
+        if within(self.flange, 10.0 * eps) && within(self.web, plastic) {
             Class::Plastic
-        } else if self.flange <= 14.0 * eps && self.web <= elastic {
+        } else if within(self.flange, 14.0 * eps) && within(self.web, elastic) {
             Class::Elastic
         } else {
             Class::Slender
@@ -228,7 +228,8 @@ impl CrossSection {
                 let a = ((s.area - 2.0 * s.b * s.tf) / s.area).min(0.5);
                 // 6.2.10(3): the strength of the shear area is reduced in the limits of small axial
                 // forces as well
-                let small = normal <= 0.25 * area * fyd && normal <= 0.5 * (1.0 - rho) * web * fyd;
+                let small = within(normal, 0.25 * area * fyd)
+                    && within(normal, 0.5 * (1.0 - rho) * web * fyd);
                 let part = if small {
                     1.0
                 } else if area > 0.0 {

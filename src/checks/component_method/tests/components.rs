@@ -2,6 +2,9 @@
 
 use super::near;
 use crate::checks::component_method::column_web::{self, CompressedWeb, ShearPanel};
+use crate::checks::component_method::compressed_zone::{
+    CompressedZone, StiffenerPair, compressed_width,
+};
 use crate::checks::component_method::reference_cases::{beam, column, one_sided};
 use crate::checks::component_method::stiffness::{self, Joins};
 use crate::checks::component_method::t_stub::{Mode, Prying, Resistance, TStub, prying};
@@ -145,7 +148,7 @@ fn figure_6_11_alpha() {
             let bend = ((second - y) / second).max(0.0).powf(0.185 * a.powf(1.785));
             (first + (1.0 - first) * if y < second { bend } else { 0.0 } - x).abs()
         };
-        let steps = (0..=355_000).map(|i| 4.45 + f64::from(i) * 1e-5);
+        let steps = (0..=400_000).map(|i| 4.0 + f64::from(i) * 1e-5);
         steps.min_by(|a, b| distance(*a).total_cmp(&distance(*b))).unwrap_or_default()
     };
     for (m, e, m2) in
@@ -154,7 +157,11 @@ fn figure_6_11_alpha() {
         let got = lengths::alpha(m, e, m2);
         assert!((got - searched(m, e, m2)).abs() < 2e-5, "{got} is not {}", searched(m, e, m2));
     }
-    assert_eq!(lengths::alpha(90.0, 10.0, 90.0), 4.45, "a wide row");
+    // beyond the last curve of the figure, 4.45 at m/(m + e) = 1.25/1.7, a narrow edge has no more
+    // than without a stiffener: α m = 4 m + 1.25 e
+    near(lengths::alpha(90.0, 10.0, 900.0), 4.0 + 1.25 * 10.0 / 90.0);
+    near(lengths::alpha(50.0, 12.0, 200.0), 4.0 + 1.25 * 12.0 / 50.0);
+    near(lengths::alpha(1.25, 0.45, 9.0), 4.45);
     assert_eq!(lengths::alpha(10.0, 90.0, 10.0), 8.0, "a row close to the web");
     for (m, e) in [(30.0, 50.0), (40.0, 60.0), (25.0, 60.0)] {
         near(lengths::alpha(m, e, 1e3) * m, 4.0 * m + 1.25 * e);
@@ -235,7 +242,7 @@ fn clause_6_2_6_2_column_web_in_compression() {
     (joint.beam.section.tf, joint.beam.flange_throat, joint.plate.thickness) = (10.0, 5.0, 20.0);
     let mut width = |overhang: f64| {
         joint.plate.bottom = -0.5 * joint.beam.section.h - overhang;
-        column_web::compressed_width(&joint, &column)
+        compressed_width(&joint, &column)
     };
     near(width(100.0), 10.0 + 200f64.sqrt() + 135.0 + 40.0);
     // a plate that ends with the weld spreads on one side alone
@@ -265,12 +272,24 @@ fn clause_6_2_6_2_column_web_in_compression() {
 fn en_1993_1_5_9_4_stiffened_web_in_compression() {
     // 95 × 15 mm on both sides: the cross is stocky, λ̄ ≤ 0.2, and carries its plastic force
     let area = 2.0 * 95.0 * 15.0 + (300.0 + 15.0) * 10.0;
-    near(WEB.stiffened(95.0, 15.0).value, area * 235.0);
+    let pair = |outstand, thickness| StiffenerPair { outstand, thickness, beside: [900.0; 2] };
+    near(WEB.stiffened(&pair(95.0, 15.0)).value, area * 235.0);
     // a token of a stiffener is worth no more than the web without it
-    near(WEB.stiffened(1.0, 0.1).value.max(WEB.resistance().value), WEB.stiffened(1.0, 0.1).value);
+    let token = CompressedZone { web: WEB, stiffeners: Some(pair(1.0, 0.1)) };
+    near(
+        token.resistance().value,
+        WEB.resistance().value.max(WEB.stiffened(&pair(1.0, 0.1)).value),
+    );
+    // 15 ε t_w = 150 mm counts only where there is web: 6 mm up to the end of the column, 100 mm to
+    // half of the way to the other pair
+    for (beside, web) in [([6.0, 900.0], 156.0), ([6.0, 100.0], 106.0), ([0.0, 900.0], 150.0)] {
+        let area = 2.0 * 95.0 * 15.0 + (web + 15.0) * 10.0;
+        let pair = StiffenerPair { beside, ..pair(95.0, 15.0) };
+        near(WEB.stiffened(&pair).value, area * 235.0);
+    }
     // a tall slender one buckles
     let tall = CompressedWeb { clear_depth: 1500.0, effective_width: 60.0, web: 8.0, ..WEB };
-    let stiff = tall.stiffened(60.0, 6.0);
+    let stiff = tall.stiffened(&pair(60.0, 6.0));
     let chi = stiff.steps.iter().find(|s| s.symbol == "χ").map_or(f64::NAN, |s| s.value);
     assert!(chi > 0.5 && chi < 1.0, "{chi}");
 }
