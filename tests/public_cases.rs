@@ -11,6 +11,8 @@ mod column_section;
 mod moment_and_axial;
 #[path = "public_cases/random_joints.rs"]
 mod random_joints;
+#[path = "public_cases/shear_across.rs"]
+mod shear_across;
 #[path = "public_cases/small_actions.rs"]
 mod small_actions;
 

@@ -10,6 +10,7 @@ mod assumptions;
 mod beam_checks;
 mod bolt_checks;
 mod bolt_forces;
+mod bolt_group;
 mod bolt_holes;
 mod bolt_rows;
 mod clamped_plates;

@@ -2,9 +2,12 @@
 //!
 //! Shear goes to the bolts in proportion to the share that tension leaves of their shear
 //! resistance, `1 − F_t,Ed/(1.4 F_t,Rd)`: 1 for a bolt without tension, 0.4/1.4 for a bolt at
-//! F_t,Rd, the two values of 6.2.2(2).
+//! F_t,Rd, the two values of 6.2.2(2). Beside a force across the member the bolts have different
+//! forces (`bolt_group`); a row has that of its bolt that is used most.
 
-use super::bolt_checks::{bearing_at, bolt_shear};
+use super::bolt_checks::{bearing_at, bolt_shear, for_bearing};
+use super::bolt_group::{GroupBolt, assumption, bearing_across, block_across, shear_forces};
+use super::bolt_holes::Clearance;
 use super::bolt_rows::from_top;
 use super::clamped_plates::{ClampedPlate, clamped_plates};
 use super::member_end::LoadedEnd;
@@ -86,9 +89,21 @@ impl<'a> BoltForces<'a> {
         self.rows.iter().map(|r| 2.0 * self.shear_share(r.tension)).sum()
     }
 
-    /// Shear force of one bolt of a row \[N\].
-    fn bolt_shear(&self, row: Row) -> f64 {
-        self.shear * self.shear_share(row.tension) / self.shear_shares()
+    /// The bolts, two of each row, with the shares that tension leaves.
+    fn group(&self) -> Vec<GroupBolt> {
+        let half = 0.5 * self.e.gauge;
+        let of = |row: &Row| {
+            let weight = self.shear_share(row.tension);
+            [-half, half].map(|y| GroupBolt { at: [y, row.z], weight })
+        };
+        self.rows.iter().flat_map(of).collect()
+    }
+
+    /// The rows with the shear forces `[y, z]` of their two bolts \[N\].
+    fn sheared(&self) -> Vec<(Row, [[f64; 2]; 2])> {
+        let forces = shear_forces(&self.group(), self.force);
+        let pairs = forces.chunks_exact(2).map(|pair| [pair[0], pair[1]]);
+        self.rows.iter().copied().zip(pairs).collect()
     }
 
     fn place(&self, row: Row) -> String {
@@ -120,9 +135,19 @@ impl<'a> BoltForces<'a> {
         let mut out = vec![self.shear()];
         out.extend(self.tension());
         out.extend(self.shear_and_tension());
+        let [across, _] = self.force;
+        if across != 0.0 {
+            out.push(assumption(&self.group(), self.end, across));
+        }
         for plate in clamped_plates(self.e) {
             out.extend(self.bearing(&plate));
             out.extend(self.block_tearing(&plate));
+            if across != 0.0 {
+                out.extend(self.bearing_across(&plate));
+                let place = format!("{}, {}", plate.name, self.end);
+                let block = block_across(self.e, &plate);
+                out.push(block.against(Topic::Bolts, place, across.abs(), Status::Failed));
+            }
             out.extend(self.punching(&plate));
         }
         out
@@ -171,9 +196,9 @@ impl<'a> BoltForces<'a> {
 
     /// Interaction of shear and tension, for each bolt on its own as Table 3.4 has it.
     fn shear_and_tension(&self) -> Option<Check> {
-        let each = self.rows.iter().map(|&row| {
+        let each = self.sheared().into_iter().map(|(row, [a, b])| {
             let mut worked = interaction::utilisation(&Forces {
-                shear: self.bolt_shear(row),
+                shear: a[0].hypot(a[1]).max(b[0].hypot(b[1])),
                 tension: self.capped(row.tension),
                 shear_resistance: self.shear_resistance,
                 tension_resistance: self.tension_resistance,
@@ -187,9 +212,25 @@ impl<'a> BoltForces<'a> {
 
     /// Bearing of a plate at the row that uses it most.
     fn bearing(&self, plate: &ClampedPlate) -> Option<Check> {
-        let each = self.rows.iter().filter_map(|&row| {
-            let least = bearing_at(self.e, plate, row.z, self.force)?;
-            Some((row, self.bolt_shear(row), least))
+        let each = self.sheared().into_iter().flat_map(|(row, pair)| {
+            let of = |[_, force]: [f64; 2]| {
+                let least = bearing_at(self.e, plate, row.z, [0.0, force])?;
+                Some((row, force.abs(), least))
+            };
+            pair.into_iter().filter_map(of).collect::<Vec<_>>()
+        });
+        let (row, force, worked) = largest(each, |(_, force, worked)| force / worked.value)?;
+        let place = format!("{}, {}", plate.name, self.place(row));
+        Some(worked.against(Topic::Bolts, place, force, Status::Failed))
+    }
+
+    /// Bearing of a plate across the member at the row that uses it most.
+    fn bearing_across(&self, plate: &ClampedPlate) -> Option<Check> {
+        let known = Clearance::of(self.e) != Clearance::Beyond;
+        let hole = for_bearing(self.e, self.force);
+        let each = self.sheared().into_iter().filter(|_| known).map(|(row, [a, b])| {
+            let force = a[0].abs().max(b[0].abs());
+            (row, force, bearing_across(self.e, plate, hole, row.z))
         });
         let (row, force, worked) = largest(each, |(_, force, worked)| force / worked.value)?;
         let place = format!("{}, {}", plate.name, self.place(row));

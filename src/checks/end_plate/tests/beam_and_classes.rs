@@ -125,3 +125,36 @@ fn en_1991_1_7_a_5_tying_resistance() {
     let thin = of(10, "HEB200");
     assert!(thin > 100e3 && thin < 700e3, "{thin}");
 }
+
+/// IPE300, S235: M_pl,y = 147.7, M_pl,z = 29.4 kN m, I_t = 19.75 cm⁴, t_f = 10.7 mm.
+#[test]
+fn clause_6_2_7_and_6_2_9_torsion_and_bending_about_both_axes() {
+    let fy: f64 = 235.0;
+    let of = |actions: &str| {
+        loaded(&format!("{{name: A, end: beam_right, at: bolt_plane, My: 40 kN m, {actions}}}"))
+    };
+    let title = "bending of the beam about both axes";
+    let (y, z) = (628.4e3 * fy, 125.2e3 * fy);
+    let h = of("Mz: 5 kN m");
+    near(used(find(&h, "beam_right, beam", title)), (40e6_f64 / y).powi(2) + 5e6 / z, 2e-3);
+    // n = 0.3: β = 1.5, M_N,y = M_pl (1 − n)/(1 − a/2), a = (A − 2 b t_f)/A = 0.4035, n below a
+    let h = of("Mz: -5 kN m, N: 379.4 kN");
+    let reduced = y * 0.7 / (1.0 - 0.5 * 0.4035);
+    near(
+        used(find(&h, "beam_right, beam", title)),
+        (40e6_f64 / reduced).powi(2) + (5e6_f64 / z).powf(1.5),
+        3e-3,
+    );
+    // τ_t = T t/I_t = 27.1 MPa leaves √(1 − 27.1/169.6) = 0.917 of the shear resistance
+    let h = of("T: 0.5 kN m, Vz: -100 kN");
+    let twist = find(&h, "beam_right, beam", "torsion of the beam");
+    let constant = 19.75e4;
+    near(used(twist), 0.5e6 / (constant / 10.7 * fy / 3f64.sqrt()), 5e-3);
+    let plain = find(&h, "beam_right, beam", "shear of the beam");
+    let beside = find(&h, "beam_right, beam", "shear of the beam beside torsion");
+    near(used(plain) / used(beside), (1.0_f64 - 27.09 / 169.6).sqrt(), 2e-3);
+    assert_eq!(beside.status, Status::Ok);
+    // more than St. Venant torsion carries is undecided, because warping may carry it
+    let h = of("T: 5 kN m");
+    assert_eq!(find(&h, "beam_right, beam", "torsion of the beam").status, Status::Undecided);
+}
