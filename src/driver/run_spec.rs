@@ -77,7 +77,7 @@ pub fn run_spec(run: &SpecRun, mut limits: Limits) -> Result<Finished, Diagnosti
         let folder = ResultFolder::begin(&run.folder)?;
         limits.interrupt.begin_short(folder.give_up());
         input.store(&folder)?;
-        log.line("nothing acts in any load case: there is nothing to analyse".to_owned());
+        log.line("nothing acts in any load case: there is nothing to analyse");
         return checks_alone(&run.spec, &input, checks, folder, &log);
     }
     let mesher = find_mesher(&limits.interrupt, limits.time, &log)?;

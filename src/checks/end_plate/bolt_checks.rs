@@ -119,10 +119,10 @@ pub(super) fn bolt_shear(e: &EndPlate, [across, along]: [f64; 2]) -> Worked {
     let long = long_joint(z.abs() * height + y.abs() * e.gauge, e.bolt.d);
     let small = shear_factor(e);
     if small < 1.0 {
-        worked = worked.times(small, &format!("{} (3.6.1(5))", n(small)));
+        worked = worked.times(small, format!("{} (3.6.1(5))", n(small)));
     }
     if long.value < 1.0 {
-        worked = worked.times(long.value, &format!("β_Lf ({})", long.formula));
+        worked = worked.times(long.value, format!("β_Lf ({})", long.formula));
     }
     worked
 }
