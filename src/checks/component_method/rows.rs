@@ -109,7 +109,7 @@ impl<'a> Rows<'a> {
             return not(
                 format!(
                     "the bolts stand beyond the tips of the beam flange: a gauge of {} mm beside a \
-                     flange of {} mm, where no flange holds a T-stub of the end plate",
+                     flange of {} mm leaves the T-stub of the end plate without a flange",
                     n(gauge),
                     n(flange)
                 ),

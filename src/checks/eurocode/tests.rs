@@ -1,7 +1,8 @@
 //! Each formula of sections 3 and 4 against printed values, named after its clause.
 
 use super::bearing::{Along, Bearing, Hole};
-use super::bolts::{shear_resistance, tension_resistance};
+use super::block_tearing::Blocks;
+use super::bolts::{long_joint, shear_resistance, tension_resistance};
 use super::slip::{SlipHole, preload, slip_resistance};
 use super::spacing::{Pattern, pattern_checks, washer_check, wrench_check};
 use super::welds::{self, ThroatStress, WeldedSteel};
@@ -278,4 +279,26 @@ fn clauses_4_5_1_and_4_5_2_sizes_of_welds() {
     assert_eq!(statuses(3.0, 30.0), [Status::Ok, Status::Ok]);
     assert_eq!(statuses(2.9, 30.0), [Status::Failed, Status::Ok]);
     assert_eq!(statuses(6.0, 35.9), [Status::Ok, Status::Failed]);
+}
+
+/// M20: L_j = 300 mm reduces nothing, 500 mm to 1 − 200/4000, 1300 mm and more to 0.75.
+#[test]
+fn clause_3_8_long_joints() {
+    for (length, want) in [(250.0, 1.0), (300.0, 1.0), (500.0, 0.95), (1300.0, 0.75), (9e3, 0.75)] {
+        near(long_joint(length, 20.0).value, want);
+    }
+}
+
+/// Two blocks of a plate of 10 mm, S275 (430 MPa): 30 mm in tension are 2 · 430 · 300/1.25 N =
+/// 206.4 kN, 200 mm in shear 2 · 275 · 2000/√3 N = 635.1 kN. A face that the holes use up adds
+/// nothing.
+#[test]
+fn clause_3_10_2_block_tearing() {
+    let of = |tension: f64, shear: f64| {
+        let blocks = Blocks { count: 2.0, tension, shear, thickness: 10.0, fy: 275.0, fu: 430.0 };
+        blocks.resistance(1.0, 1.25).value
+    };
+    printed("both faces", of(30.0, 200.0), "841.5");
+    printed("tension", of(30.0, -5.0), "206.4");
+    printed("shear", of(-1.0, 200.0), "635.1");
 }
