@@ -107,6 +107,7 @@ impl Method {
             .iter()
             .map(|r| (format!("row at z = {} mm", n(r.z)), r.force, r.z))
             .collect();
+        forces.retain(|f| f.1 > 0.0);
         forces.sort_by(|a, b| b.2.total_cmp(&a.2));
         let parts = [
             ("upper flange", upper, e.lever),
