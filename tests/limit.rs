@@ -15,6 +15,8 @@ mod hard;
 mod hinges;
 #[path = "limit/interaction.rs"]
 mod interaction;
+#[path = "limit/lower_first.rs"]
+mod lower_first;
 #[path = "limit/mesh_pairs.rs"]
 mod mesh_pairs;
 #[path = "limit/random.rs"]

@@ -7,6 +7,8 @@ mod answer;
 mod bench;
 #[path = "public_cases/column_section.rs"]
 mod column_section;
+#[path = "public_cases/joint_verdict.rs"]
+mod joint_verdict;
 #[path = "public_cases/moment_and_axial.rs"]
 mod moment_and_axial;
 #[path = "public_cases/random_joints.rs"]

@@ -43,6 +43,29 @@ impl AnalysisPass {
         })
     }
 
+    /// True if a limit analysis has the lower bound alone of two that the model requests.
+    pub fn wants_upper(&self, model: &AnalysisModel) -> bool {
+        match self {
+            AnalysisPass::Energy(_) => false,
+            AnalysisPass::Factor(p) => limit::wants_upper(p, model),
+        }
+    }
+
+    /// Adds the upper bound that [`AnalysisPass::wants_upper`] misses.
+    pub fn add_upper(
+        &mut self,
+        model: &AnalysisModel,
+        options: &PassOptions,
+        progress: &Progress,
+    ) -> Result<(), PassError> {
+        match self {
+            AnalysisPass::Factor(p) if limit::wants_upper(p, model) => {
+                limit::add_upper(p, model, options, progress)
+            }
+            _ => Ok(()),
+        }
+    }
+
     /// Relative gap at which a solve ends; `asked`: the options of the user.
     pub fn tolerance(model: &AnalysisModel, asked: &SolveOptions) -> f64 {
         match model.analysis {

@@ -76,7 +76,8 @@ struct Schedule {
     first: Option<Program>,
 }
 
-/// Both programs after their solves; `None`: not requested.
+/// Both programs after their solves; `None`: not requested. Neither of two that were requested: they
+/// would take longer than [`PassOptions::both_within`].
 pub(crate) type Both<K, S> = (Option<Finished<K>>, Option<Finished<S>>);
 
 /// Assembles and runs the programs whose bounds the model requests: side by side where the memory
@@ -135,6 +136,11 @@ pub(crate) fn assemble_and_run<K: DiscreteProgram, S: DiscreteProgram>(
         || kinematic.as_ref().map(|program| context.prepare(program)),
         || statics.as_ref().map(|program| context.prepare(program)),
     );
+    if let (Some(k), Some(s)) = (&k, &s)
+        && context.too_long([&k.outcome, &s.outcome])
+    {
+        return Ok((None, None));
+    }
     let schedule = context.schedule(k.as_ref().map(|j| &j.outcome), s.as_ref().map(|j| &j.outcome));
     let kinematic = || k.map(|job| context.finish(job, schedule.kinematic)).transpose();
     let statics = || s.map(|job| context.finish(job, schedule.statics)).transpose();
@@ -202,6 +208,21 @@ impl Context<'_> {
             trouble: None,
         };
         Job { problem, origin, prepared, outcome }
+    }
+
+    /// Whether both programs together would take longer than they may.
+    fn too_long(&self, outcomes: [&ProgramOutcome; 2]) -> bool {
+        let within = self.options.both_within;
+        if within.is_infinite() || self.options.solve.interrupted() {
+            return false;
+        }
+        let seconds = outcomes.map(|o| o.forecast.map_or(f64::INFINITY, |f| f.seconds));
+        let expected = seconds[0] + seconds[1];
+        if expected <= within {
+            return false;
+        }
+        self.report(Program::Kinematic, Event::Later { expected, within });
+        true
     }
 
     /// Reports the forecasts and decides which programs start, and in which order.

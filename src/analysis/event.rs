@@ -25,6 +25,13 @@ pub enum Event<'a> {
         /// Memory that is available.
         room: Room,
     },
+    /// Limit analysis under a time limit: it runs later, because the other program decides.
+    Later {
+        /// Time that both are expected to take \[s\]; infinite where it is not known.
+        expected: f64,
+        /// Time that is there for both \[s\].
+        within: f64,
+    },
     /// It does not fit and is not started, while the other program is.
     Refused(&'a InsufficientMemory),
     /// Its solve begins.

@@ -9,11 +9,10 @@ mod pass;
 mod programs;
 mod proof;
 
-use crate::analysis::engine::{both, static_alone};
+use crate::analysis::engine::{both, kinematic_alone, static_alone};
 use crate::analysis::event::{Event, Progress};
 use crate::analysis::pass::{PassError, PassOptions};
 use crate::analysis::program::Program;
-use crate::certify::FactorBracket;
 use crate::math::vec3::V3;
 use crate::model::file::Bounds;
 use crate::model::{AnalysisModel, resolve};
@@ -24,17 +23,39 @@ use programs::{LimitKinematic, LimitStatic};
 pub use programs::{NO_LIMIT, SUBDIVISIONS, velocity};
 use std::time::Instant;
 
+/// Load factor of the load that a verdict is asked for.
+const LOAD: f64 = 1.0;
+
 /// Runs both programs, and the static one without friction where there is friction; none where a
-/// load factor without limit or of zero can be proved.
+/// load factor without limit or of zero can be proved. Where the time is not sure to suffice for
+/// both ([`PassOptions::both_within`]), only the lower bound that answers is computed.
 pub fn run(
     model: &AnalysisModel,
     options: &PassOptions,
     progress: &Progress,
 ) -> Result<LimitPass, PassError> {
-    let start = Instant::now();
     if let Some(pass) = proof::without_programs(model, &options.solve.patterns)? {
         return Ok(pass);
     }
+    if options.both_within > 0.0 || model.bounds != Bounds::Both {
+        if let Some(pass) = programs(model, options, progress)? {
+            return Ok(pass);
+        }
+    }
+    let lower = AnalysisModel { bounds: Bounds::Static, coulomb_estimate: false, ..model.clone() };
+    let answer_from = options.answer_from.or(Some(LOAD));
+    let options = PassOptions { answer_from, ..options.clone() };
+    // one program alone always runs
+    Ok(programs(&lower, &options, progress)?.unwrap_or_default())
+}
+
+/// Runs the programs of the bounds that the model requests; `None` where both would take too long.
+fn programs(
+    model: &AnalysisModel,
+    options: &PassOptions,
+    progress: &Progress,
+) -> Result<Option<LimitPass>, PassError> {
+    let start = Instant::now();
     // under Coulomb's law the lower bound without friction answers
     let without_alone = options.answer_from.is_some()
         && model.has_coulomb_friction()
@@ -44,13 +65,12 @@ pub fn run(
     } else {
         both(model, options, progress, LimitKinematic::new, LimitStatic::new)?
     };
+    if kinematic.is_none() && statics.is_none() && !without_alone {
+        return Ok(None);
+    }
     let mut pass = LimitPass::default();
     if let Some(k) = kinematic {
-        pass.kinematic = Some(k.outcome);
-        if let Some((field, bound)) = k.answer {
-            pass.velocity = Some(field);
-            pass.upper = Some(bound);
-        }
+        pass.add_kinematic(k);
     }
     let fits = match &statics {
         Some(s) => s.outcome.refusal.is_none(),
@@ -65,9 +85,7 @@ pub fn run(
             pass.static_velocities = Some(lower.velocities);
         }
     }
-    if let (Some(l), Some(u)) = (&pass.lower, &pass.upper) {
-        pass.bracket = Some(FactorBracket::new(l.clone(), u.clone())?);
-    }
+    pass.join()?;
     let reached = |at: f64| pass.lower.as_ref().is_some_and(|l| l.value() >= at);
     let wanted = model.has_coulomb_friction() || options.answer_from.is_none_or(reached);
     if model.has_friction() && fits && wanted && !options.solve.interrupted() {
@@ -86,6 +104,39 @@ pub fn run(
             Err(e) => pass.slides = Some(e.into_first().message),
         }
     }
+    complete(&mut pass, model, &options.remaining(start), progress)?;
+    Ok(Some(pass))
+}
+
+/// True if a pass has the lower bound alone of two that the model requests.
+pub fn wants_upper(pass: &LimitPass, model: &AnalysisModel) -> bool {
+    let proved = pass.unlimited.is_some() || pass.free.is_some();
+    model.bounds == Bounds::Both && pass.kinematic.is_none() && !proved
+}
+
+/// Adds the upper bound to a pass that has the lower one alone.
+pub fn add_upper(
+    pass: &mut LimitPass,
+    model: &AnalysisModel,
+    options: &PassOptions,
+    progress: &Progress,
+) -> Result<(), PassError> {
+    let start = Instant::now();
+    let found = kinematic_alone(model, options, progress, || LimitKinematic::new(model))?;
+    if let Some(k) = found {
+        pass.add_kinematic(k);
+    }
+    pass.join()?;
+    complete(pass, model, &options.remaining(start), progress)
+}
+
+/// Adds what follows from both bounds: the estimate under Coulomb's law and the contributions.
+fn complete(
+    pass: &mut LimitPass,
+    model: &AnalysisModel,
+    options: &PassOptions,
+    progress: &Progress,
+) -> Result<(), PassError> {
     // without a solution under associated friction there is nothing to start the estimate from
     let failed = pass.kinematic.is_some() && pass.velocity.is_none();
     if model.coulomb_estimate
@@ -94,11 +145,10 @@ pub fn run(
         && !options.solve.interrupted()
     {
         let velocity = pass.velocity.as_ref();
-        let found = coulomb::estimate(model, velocity, &options.remaining(start), progress)?;
+        let found = coulomb::estimate(model, velocity, options, progress)?;
         pass.coulomb_estimate = Some(pass.within_bounds(found));
     }
-    pass.add_contributions(model)?;
-    Ok(pass)
+    pass.add_contributions(model)
 }
 
 /// The static program's own mechanism: shares of the yield multipliers and velocities of the
@@ -128,8 +178,6 @@ fn add_frictionless(
             found = Some((lower.yield_multiplier_share, lower.velocities));
         }
     }
-    if let (Some(l), Some(u)) = (&pass.frictionless, &pass.upper) {
-        pass.coulomb = Some(FactorBracket::new(l.clone(), u.clone())?);
-    }
+    pass.join()?;
     Ok(found)
 }

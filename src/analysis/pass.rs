@@ -20,13 +20,17 @@ pub struct PassOptions {
     /// that is the one without friction; with associated friction the one without friction is
     /// added where the one with friction reaches the load factor `at`.
     pub answer_from: Option<f64>,
+    /// Limit analysis: both programs run if their solves are expected to take at most this long
+    /// together \[s\]. Otherwise the static one runs alone, because the lower bound decides, and
+    /// [`crate::analysis::limit::add_upper`] adds the upper bound. 0: the static one runs alone.
+    pub both_within: f64,
 }
 
 impl Default for PassOptions {
     /// Default solves, limited by the memory of the machine.
     fn default() -> Self {
         let room: RoomSource = Arc::new(|| room(None));
-        Self { solve: SolveOptions::default(), room, answer_from: None }
+        Self { solve: SolveOptions::default(), room, answer_from: None, both_within: f64::INFINITY }
     }
 }
 

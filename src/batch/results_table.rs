@@ -26,10 +26,11 @@ pub enum Kind {
 }
 
 /// The columns behind the varied paths.
-const COLUMNS: [(&str, Kind); 20] = [
+const COLUMNS: [(&str, Kind); 21] = [
     ("load_case", Kind::Text),
     ("outcome", Kind::Text),
     ("verdict", Kind::Text),
+    ("route", Kind::Text),
     ("by_code", Kind::Text),
     ("by_analysis", Kind::Text),
     ("lambda_low", Kind::Number),
@@ -83,6 +84,7 @@ fn row(
         json!(load.map(|l| &l.case)),
         json!(record.map_or("open", |r| r.outcome.word())),
         json!(load.map(|l| l.verdict)),
+        json!(load.map(|l| l.route)),
         json!(load.map(|l| l.by_code)),
         json!(load.map(|l| l.by_analysis)),
         json!(load.and_then(|l| l.lower)),

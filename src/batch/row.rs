@@ -2,7 +2,7 @@
 
 use super::sweep::Who;
 use crate::checks::judgement::Governing;
-use crate::checks::verdict::Verdict;
+use crate::checks::verdict::{Route, Verdict};
 use crate::diag::ExitStatus;
 use serde::{Deserialize, Serialize};
 
@@ -72,8 +72,11 @@ impl Outcome {
 pub struct LoadRow {
     /// Name of the load case.
     pub case: String,
-    /// The verdict: the worse of the next two.
+    /// The verdict: what the complete routes prove.
     pub verdict: Verdict,
+    /// The route that proves it; absent unless it is ok.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub route: Option<Route>,
     /// By the checks of the code.
     pub by_code: Verdict,
     /// By the strict bounds of limit analysis.

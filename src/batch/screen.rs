@@ -126,6 +126,7 @@ fn record(key: &str, joint: &Joint, spec: &ConnectionSpec) -> Record {
         LoadRow {
             case: demand.case.clone(),
             verdict: j.verdict,
+            route: j.route,
             by_code: j.by_code,
             by_analysis: Verdict::None,
             lower: None,

@@ -338,6 +338,7 @@ fn finished(job: &Job, result: &ResultFile) -> Record {
         let row = LoadRow {
             case: c.name.clone(),
             verdict: demand.verdict,
+            route: demand.route,
             by_code: demand.by_code,
             by_analysis: demand.by_analysis,
             lower,

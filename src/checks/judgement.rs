@@ -1,13 +1,16 @@
-//! The verdict on the demands of a spec: by code, by analysis, and the two combined with a reason.
+//! The verdict on the demands of a spec: what the complete routes prove, with a reason.
 //!
-//! By code: every binding check, and the strength part of the component method where no limit
-//! analysis decides the case. By analysis: the strict bracket of the load factor. The combined
-//! verdict is the worse of the two, so that a bound never overrules a check of what limit analysis
-//! does not model: buckling, fracture, slenderness.
+//! NOT OK if a binding check fails or a strict upper bound is below the demand: no route overrules
+//! that. OK by code if every check that the code asks of the joint has a method and holds, strength
+//! by the component method included, whatever an unfinished or wide bracket says. OK by analysis
+//! if the lower bound of limit analysis carries the load and every binding check of what limit
+//! analysis does not know holds: buckling, fracture, slenderness. Otherwise UNDECIDED.
+
+mod reason;
 
 use super::check::{Check, Status, Topic, Unit, number};
 use super::end_plate::HandChecks;
-use super::verdict::Verdict;
+use super::verdict::{Route, Verdict};
 use serde::{Deserialize, Serialize};
 
 /// Result of the analyses of a load case.
@@ -15,15 +18,19 @@ use serde::{Deserialize, Serialize};
 pub struct Analysed {
     /// Load case with a demand.
     pub case: String,
-    /// Verdict by strict bounds of limit analysis: `None` for an analysis that brackets no
-    /// resistance, undecided where the requested analysis gave no certificate.
+    /// Verdict by strict bounds of limit analysis: `None` where no limit analysis gave an answer,
+    /// undecided where it was asked and its bounds do not decide.
     pub verdict: Verdict,
     /// Bracket of demand over capacity.
     pub utilisation: Option<[f64; 2]>,
-    /// Whether bounds that would decide do not, because no rule of rotation capacity holds.
+    /// Whether a lower bound that carries the load decides nothing, because no rule of rotation
+    /// capacity holds.
     pub brittle: bool,
     /// Whether no rule of rotation capacity holds, so that no lower bound can give OK.
     pub no_rule: bool,
+    /// What its analyses did not supply, as text: `limit analysis gave no lower bound (time
+    /// limit)`.
+    pub missing: Option<String>,
 }
 
 impl Analysed {
@@ -35,6 +42,7 @@ impl Analysed {
             utilisation: None,
             brittle: false,
             no_rule: false,
+            missing: None,
         }
     }
 }
@@ -58,13 +66,17 @@ pub struct Governing {
 /// The verdict on a load case, or on all of them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Judgement {
-    /// The worse of the two verdicts.
+    /// What the complete routes prove.
     pub verdict: Verdict,
+    /// The route that proves `ok`; absent otherwise. Of several load cases: `analysis` if one of
+    /// them needs it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub route: Option<Route>,
     /// By the code's checks.
     pub by_code: Verdict,
     /// By strict bounds; none where no analysis brackets a resistance.
     pub by_analysis: Verdict,
-    /// Reason, in a sentence.
+    /// Reason, in a sentence. Of `undecided`: the first missing step, and what would supply it.
     pub reason: String,
     /// Check or bound that governs; absent where none has a utilisation.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -74,27 +86,33 @@ pub struct Judgement {
 /// Judges each load case, and all of them together. Where a limit analysis decides a case and no
 /// component may buckle, strength by the component method becomes information in `checks`.
 pub fn judge(checks: &mut HandChecks, cases: &[Analysed]) -> (Judgement, Vec<Judgement>) {
+    // with strength by the component method, before an analysis stands in for it
+    let complete: Vec<bool> =
+        cases.iter().map(|a| by_code(&binding(checks, a)) == Verdict::Ok).collect();
     for a in cases.iter().filter(|a| matches!(a.verdict, Verdict::Ok | Verdict::NotOk)) {
         checks.beside_analysis(&a.case);
     }
-    let each: Vec<Judgement> = cases.iter().map(|a| of_case(checks, a)).collect();
-    let mut all = together(&each);
+    let each: Vec<Judgement> =
+        cases.iter().zip(complete).map(|(a, complete)| of_case(checks, a, complete)).collect();
+    let mut all = together(&each, cases);
     let service = |a: &Analysed| checks.serviceability.contains(&a.case);
     if matches!(all.verdict, Verdict::Ok | Verdict::None) && cases.iter().all(service) {
         all.verdict = Verdict::Undecided;
+        all.route = None;
         all.reason = "Every load case is one of serviceability: give one with `state: ULS`".into();
         all.governing = None;
     }
     (all, each)
 }
 
-/// The verdict on one load case.
-fn of_case(checks: &HandChecks, a: &Analysed) -> Judgement {
-    let binding: Vec<&Check> = checks
-        .checks
-        .iter()
-        .filter(|c| c.case.as_ref().is_none_or(|case| *case == a.case) && binds(c))
-        .collect();
+/// The checks that can decide the verdict on a load case.
+fn binding<'a>(checks: &'a HandChecks, a: &Analysed) -> Vec<&'a Check> {
+    let of_case = |c: &&Check| c.case.as_ref().is_none_or(|case| *case == a.case);
+    checks.checks.iter().filter(of_case).filter(|c| binds(c)).collect()
+}
+
+/// The verdict by these checks.
+fn by_code(binding: &[&Check]) -> Verdict {
     // without any check of the load there is no verdict by code, but a check that fails without a
     // load still fails
     let loaded = binding.iter().any(|c| c.case.is_some());
@@ -103,16 +121,24 @@ fn of_case(checks: &HandChecks, a: &Analysed) -> Judgement {
         Status::Undecided => Verdict::Undecided,
         _ => Verdict::Ok,
     };
-    let by_code = match Verdict::worst(binding.iter().map(word)) {
+    match Verdict::worst(binding.iter().map(word)) {
         Verdict::Ok if !loaded => Verdict::None,
         verdict => verdict,
-    };
+    }
+}
+
+/// The verdict on one load case. `complete`: the code's route is complete and holds.
+fn of_case(checks: &HandChecks, a: &Analysed, complete: bool) -> Judgement {
+    let binding = binding(checks, a);
+    let by_code = if complete { Verdict::Ok } else { by_code(&binding) };
     let service = checks.serviceability.contains(&a.case);
-    let verdict = match Verdict::worst([by_code, a.verdict]) {
+    let (verdict, route) = match (by_code, a.verdict) {
+        (Verdict::NotOk, _) | (_, Verdict::NotOk) => (Verdict::NotOk, None),
+        _ if complete => (Verdict::Ok, Some(Route::Code)),
+        (Verdict::Ok | Verdict::None, Verdict::Ok) => (Verdict::Ok, Some(Route::Analysis)),
         // of a case at serviceability only slip is checked, if anything
-        Verdict::None if service => Verdict::None,
-        Verdict::None => Verdict::Undecided,
-        verdict => verdict,
+        (Verdict::None, _) if service => (Verdict::None, None),
+        _ => (Verdict::Undecided, None),
     };
     let code = governing_check(&binding, by_code);
     let analysis = (a.verdict != Verdict::None).then(|| Governing {
@@ -123,31 +149,42 @@ fn of_case(checks: &HandChecks, a: &Analysed) -> Judgement {
     });
     // where both verdicts are equal, the larger utilisation governs
     let used = |g: &Option<Governing>| g.as_ref().and_then(|g| g.utilisation).map_or(0.0, |u| u[1]);
-    // the numbers of a bracket that rotation capacity rules out govern nothing
-    let more = used(&analysis) > used(&code) && !a.brittle;
+    let more = verdict != Verdict::Undecided && used(&analysis) > used(&code);
     let by_bracket = by_code != verdict || (a.verdict == verdict && more);
-    let governing = if by_bracket { analysis.clone().or(code.clone()) } else { code.clone() };
-    let reason = reason(a, by_code, verdict, governing.as_ref());
-    Judgement { verdict, by_code, by_analysis: a.verdict, reason, governing }
+    let governing = if by_bracket { analysis.or(code) } else { code };
+    let reason = reason::sentence(a, by_code, (verdict, route), governing.as_ref());
+    Judgement { verdict, route, by_code, by_analysis: a.verdict, reason, governing }
 }
 
-/// The verdict on all cases, with the reason of the worst one.
-fn together(each: &[Judgement]) -> Judgement {
+/// The verdict on all cases, with the reason of the worst one and the names of those without a
+/// lower bound.
+fn together(each: &[Judgement], cases: &[Analysed]) -> Judgement {
     let worst = |of: fn(&Judgement) -> Verdict| Verdict::worst(each.iter().map(of));
     let verdict = worst(|j| j.verdict);
-    let used = |j: &&Judgement| {
+    let used = |j: &Judgement| {
         j.governing.as_ref().and_then(|g| g.utilisation).map_or(f64::INFINITY, |u| u[1])
     };
-    let speaker = each
-        .iter()
-        .filter(|j| j.verdict == verdict)
-        .reduce(|a, b| if used(&b) > used(&a) { b } else { a });
+    let speaker = (0..each.len())
+        .filter(|&i| each[i].verdict == verdict)
+        .reduce(|a, b| if used(&each[b]) > used(&each[a]) { b } else { a });
+    let mut reason = speaker.map_or_else(String::new, |i| each[i].reason.clone());
+    let others =
+        cases.iter().enumerate().filter(|(i, a)| Some(*i) != speaker && a.missing.is_some());
+    let others: Vec<&str> = others.map(|(_, a)| a.case.as_str()).collect();
+    if !others.is_empty() {
+        reason += &format!("; without a lower bound: {}", others.join(", "));
+    }
+    let mut routes = each.iter().filter_map(|j| j.route);
+    let proved = verdict == Verdict::Ok;
+    let by_bounds = routes.any(|r| r == Route::Analysis);
+    let route = if by_bounds { Route::Analysis } else { Route::Code };
     Judgement {
         verdict,
+        route: proved.then_some(route),
         by_code: worst(|j| j.by_code),
         by_analysis: worst(|j| j.by_analysis),
-        reason: speaker.map_or_else(String::new, |j| j.reason.clone()),
-        governing: speaker.and_then(|j| j.governing.clone()),
+        reason,
+        governing: speaker.and_then(|i| each[i].governing.clone()),
     }
 }
 
@@ -178,67 +215,6 @@ fn governing_check(binding: &[&Check], by_code: Verdict) -> Option<Governing> {
     })
 }
 
-/// The reason of a verdict, in a sentence.
-fn reason(
-    a: &Analysed,
-    by_code: Verdict,
-    verdict: Verdict,
-    governing: Option<&Governing>,
-) -> String {
-    let (case, by_analysis) = (&a.case, a.verdict);
-    let what = governing.map_or_else(|| "nothing that could be checked".into(), Governing::words);
-    match (verdict, by_code, by_analysis) {
-        (Verdict::Ok, Verdict::Ok, Verdict::Ok) => {
-            format!(
-                "{case}: every binding check holds, and the lower bound carries the load; \
-                 governing: {what}"
-            )
-        }
-        (Verdict::Ok, Verdict::Ok, _) => {
-            format!(
-                "{case}: every binding check holds, the component method included; governing: \
-                 {what}"
-            )
-        }
-        (Verdict::Ok, ..) => {
-            format!("{case}: the lower bound carries the load; no check of the code covers it")
-        }
-        (Verdict::NotOk, Verdict::NotOk, Verdict::Ok) => format!(
-            "{case}: the lower bound carries the load, but a check of what limit analysis does \
-             not know fails: {what}"
-        ),
-        (Verdict::NotOk, Verdict::NotOk, _) => format!("{case}: a check fails: {what}"),
-        (Verdict::NotOk, ..) => format!("{case}: the load is above the upper bound: {what}"),
-        (Verdict::Undecided, Verdict::Undecided, Verdict::Ok) => format!(
-            "{case}: the lower bound carries the load, but the code gives no resistance for what \
-             limit analysis does not know: {what}"
-        ),
-        (Verdict::Undecided, Verdict::Undecided, _) => {
-            format!("{case}: the code gives no resistance: {what}")
-        }
-        (Verdict::Undecided, _, Verdict::Undecided) if a.brittle => format!(
-            "{case}: the lower bound carries the load, but no rule of rotation capacity holds; \
-             the checks of the code are {}",
-            by_code.words()
-        ),
-        (Verdict::Undecided, _, Verdict::Undecided) if a.no_rule => format!(
-            "{case}: the bounds do not decide, and no rule of rotation capacity holds, so that no \
-             mesh gives OK; the checks of the code are {}",
-            by_code.words()
-        ),
-        (Verdict::Undecided, _, Verdict::Undecided) => {
-            format!(
-                "{case}: the bounds do not decide; the checks of the code are {}",
-                by_code.words()
-            )
-        }
-        (Verdict::None, ..) => {
-            format!("{case}: a load case of serviceability, of which nothing is checked")
-        }
-        _ => format!("{case}: no check of the code covers the load, and no limit analysis was run"),
-    }
-}
-
 impl Governing {
     /// The governing check with its utilisation and clause.
     pub fn words(&self) -> String {
@@ -267,18 +243,23 @@ fn outwards([low, up]: [f64; 2]) -> [f64; 2] {
 }
 
 impl Judgement {
+    /// The verdict as a report prints it, with the route that proves it.
+    pub fn words(&self) -> &'static str {
+        self.verdict.words_by(self.route)
+    }
+
     /// The verdict of a run in one line.
     pub fn line(&self, code: u8, meaning: Option<&str>) -> String {
-        let governs = self.governing.as_ref().map_or_else(
-            || format!("; {}", self.reason),
-            |g| {
+        let governs = match self.governing.as_ref().filter(|_| self.verdict != Verdict::Undecided) {
+            Some(g) => {
                 let case = g.case.as_ref().map_or_else(String::new, |c| format!("{c}, "));
                 format!("; governing: {case}{}", g.words())
-            },
-        );
+            }
+            None => format!("; {}", self.reason),
+        };
         format!(
             "verdict: {} (by code {}, by analysis {}){governs}; exit code {code}: {}",
-            self.verdict.words(),
+            self.words(),
             self.by_code.words(),
             self.by_analysis.words(),
             meaning.unwrap_or_else(|| exit_meaning(code))

@@ -51,6 +51,27 @@ impl Verdict {
             Verdict::None => "none",
         }
     }
+
+    /// The verdict as a report prints it, with the route that proves it.
+    pub fn words_by(self, route: Option<Route>) -> &'static str {
+        match (self, route) {
+            (Verdict::Ok, Some(Route::Code)) => "OK — by code",
+            (Verdict::Ok, Some(Route::Analysis)) => "OK — by analysis",
+            _ => self.words(),
+        }
+    }
+}
+
+/// The route that proves a demand. Either suffices (docs/contract.md).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Route {
+    /// Every check that the code asks of the joint has a method and holds, strength by the
+    /// component method included.
+    Code,
+    /// The lower bound of limit analysis carries the load, and every check of what limit analysis
+    /// does not know holds.
+    Analysis,
 }
 
 /// Bracket of demand over capacity, lower first: the reciprocals of strict bounds of the load

@@ -7,7 +7,9 @@ use crate::driver::context::RunContext;
 use crate::driver::limits::Limits;
 use crate::driver::pass_run::too_large;
 use crate::driver::passes::{Kept, Mesh, Passes, Share, joined, lost};
+use crate::driver::remesh::Remesh;
 use crate::driver::sequence::Sequence;
+use crate::model::AnalysisModel;
 use crate::model::file::Bounds;
 use crate::refine::plan::Stop;
 use crate::report::console::log::Log;
@@ -52,46 +54,87 @@ impl Adapted {
     }
 }
 
-/// Analyses a case on successive meshes. `first` means that no case was analysed before; a program
-/// that does not fit into the memory then ends the run.
-///
-/// The first mesh serves both bounds. In limit analysis each bound then gets meshes of its own.
-pub fn analyse(
-    case: Case,
-    first: bool,
-    share: &Share,
-    context: &RunContext,
-    limits: &Limits,
-    log: &Arc<Log>,
-) -> Result<Adapted, Diagnostics> {
-    let Case { name, model, remesh, mesh_seconds, .. } = case;
-    let mut passes =
-        Passes { name: &name, limits, log, share, entries: Vec::new(), kept: Vec::new() };
-    let Some(found) =
-        passes.run(Mesh { model, made: None, seconds: mesh_seconds, predicted: None })?
-    else {
-        return Err(lost(&name).into());
-    };
-    let (outcome, model) = (&found.outcome, &found.model);
-    let runs = outcome.runs();
-    // there are no programs if the answer was proved without them
-    if first && !runs.is_empty() && runs.iter().all(|(_, run)| run.refusal.is_some()) {
-        return Err(too_large(&name, outcome, context).into());
+/// A case that is analysed on its first mesh.
+pub struct Begun<'a, 'r> {
+    passes: Passes<'a>,
+    remesh: Option<Box<dyn Remesh<'r> + 'r>>,
+}
+
+impl<'a, 'r> Begun<'a, 'r> {
+    /// Analyses a case on its first mesh. `first` means that no case was analysed before; a program
+    /// that does not fit into the memory then ends the run, with the advice `coarser`.
+    pub fn new(
+        case: Case<'r>,
+        first: bool,
+        share: Share<'a>,
+        coarser: &str,
+        limits: &'a Limits,
+        log: &'a Arc<Log>,
+    ) -> Result<Self, Diagnostics> {
+        let Case { name, model, remesh, mesh_seconds, .. } = case;
+        let mut passes = Passes::new(name, share, limits, log);
+        let found =
+            passes.run(Mesh { model, made: None, seconds: mesh_seconds, predicted: None })?;
+        let refused = found.is_some_and(|kept| {
+            let runs = kept.outcome.runs();
+            // there are no programs if the answer was proved without them
+            !runs.is_empty() && runs.iter().all(|(_, run)| run.refusal.is_some())
+        });
+        match passes.kept.last() {
+            None => Err(lost(&passes.name).into()),
+            Some(kept) if first && refused => {
+                Err(too_large(&passes.name, &kept.outcome, coarser).into())
+            }
+            Some(_) => Ok(Self { passes, remesh }),
+        }
     }
-    let mut stop = None;
-    if let (Some(adapt), Some(remesher)) = (&context.adapt, remesh) {
-        let both = model.bounds == Bounds::Both && outcome.contributions().is_some();
-        let mut tracks = match model.analysis {
-            AnalysisKind::Limit if both => vec![
-                Sequence::new(Bounds::Static, remesher.twin()),
-                Sequence::new(Bounds::Kinematic, remesher),
-            ],
-            _ if both => vec![Sequence::new(Bounds::Both, remesher)],
-            _ => Vec::new(),
-        };
-        stop = passes.adapt(&mut tracks, adapt)?;
+
+    /// The model on the first mesh; `None` once its fields were dropped.
+    pub fn model(&self) -> Option<&AnalysisModel> {
+        self.passes.kept.first().map(|k| &k.model)
     }
-    finish(&name, passes.entries, passes.kept, stop, context, limits)
+
+    /// True if the lower bound was computed alone and the upper one is still to come.
+    pub fn wants_upper(&self) -> bool {
+        self.passes.kept.first().is_some_and(|k| k.outcome.wants_upper(&k.model))
+    }
+
+    /// Adds the upper bound on the first mesh where it is still to come.
+    pub fn add_upper(&mut self) -> Result<(), Diagnostics> {
+        self.passes.add_upper()
+    }
+
+    /// Analyses the case on successive meshes until the target gap or a limit is reached; `until`:
+    /// see [`Share`].
+    ///
+    /// The first mesh serves both bounds. In limit analysis each bound then gets meshes of its own.
+    pub fn end(
+        self,
+        until: f64,
+        context: &RunContext,
+        limits: &Limits,
+    ) -> Result<Adapted, Diagnostics> {
+        let Self { mut passes, remesh } = self;
+        passes.share.until = until;
+        let mut stop = None;
+        if let (Some(adapt), Some(remesher), Some(kept)) =
+            (&context.adapt, remesh, passes.kept.first())
+        {
+            let Kept { outcome, model, .. } = kept;
+            let both = model.bounds == Bounds::Both && outcome.contributions().is_some();
+            let mut tracks = match model.analysis {
+                AnalysisKind::Limit if both => vec![
+                    Sequence::new(Bounds::Static, remesher.twin()),
+                    Sequence::new(Bounds::Kinematic, remesher),
+                ],
+                _ if both => vec![Sequence::new(Bounds::Both, remesher)],
+                _ => Vec::new(),
+            };
+            stop = passes.adapt(&mut tracks, adapt)?;
+        }
+        let Passes { name, entries, kept, .. } = passes;
+        finish(&name, entries, kept, stop, context, limits)
+    }
 }
 
 fn finish(

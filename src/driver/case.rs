@@ -46,9 +46,9 @@ pub fn refuse_idle(case: &Case) -> Result<(), Diagnostics> {
     .into())
 }
 
-/// The warning about the cases that an interrupted run has not analysed.
+/// The warning about the cases that a run has not analysed, because it ended before.
 pub fn not_analysed(cases: &[String]) -> String {
-    format!("interrupted: not analysed were {}", cases.join(", "))
+    format!("the run ended before all load cases: not analysed were {}", cases.join(", "))
 }
 
 /// The stems of the file names of the cases. The kind of analysis is added if an earlier case has

@@ -204,21 +204,17 @@ fn demanded(demands: &[CaseDemand], asked: &[String]) -> Vec<String> {
 }
 
 /// Judges all load cases with a demand: sets their verdicts, and completes the checks by the
-/// findings of the analyses.
+/// findings of the analyses. Only limit analysis brackets a resistance.
 pub fn judge_result(result: &mut ResultFile, checks: &mut HandChecks, demands: &[CaseDemand]) {
     let of_case = |case: &String| {
         let entries = || result.cases.iter().filter(|c| c.name == *case);
         let limit = entries().find(|c| c.analysis == AnalysisKind::Limit);
-        let by_analysis =
-            |c: &CaseResult| c.demand.as_ref().map_or(Verdict::None, |d| d.by_analysis);
-        // a bracket of the resistance decides; without one, the case is undecided if an analysis is
-        // missing
-        let verdict = match limit {
-            Some(c) => by_analysis(c),
-            None if entries().count() < result.asked.iter().filter(|a| *a == case).count() => {
-                Verdict::Undecided
-            }
-            None => Verdict::worst(entries().map(by_analysis)),
+        let verdict =
+            limit.and_then(|c| c.demand.as_ref()).map_or(Verdict::None, |d| d.by_analysis);
+        let asked = result.asked.iter().filter(|a| *a == case).count();
+        let missing = match limit {
+            Some(c) => c.lacking().filter(|_| verdict == Verdict::Undecided),
+            None => (entries().count() < asked).then(|| "its analysis was not run".to_owned()),
         };
         // only the absence of a rule keeps a lower bound above the load from deciding
         let carried = |c: &CaseResult| c.is_strict() && c.factor_bounds().0 >= Some(1.0);
@@ -230,6 +226,7 @@ pub fn judge_result(result: &mut ResultFile, checks: &mut HandChecks, demands: &
             utilisation: limit.and_then(|c| c.utilisation),
             brittle,
             no_rule: limit.is_some_and(no_rule),
+            missing,
         }
     };
     let analysed: Vec<Analysed> = demanded(demands, &result.asked).iter().map(of_case).collect();

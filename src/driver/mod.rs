@@ -21,6 +21,7 @@ pub mod pass_run;
 pub mod passes;
 pub mod pictures;
 pub mod polygon;
+pub mod queue;
 pub mod remesh;
 pub mod run_cases;
 pub mod run_spec;

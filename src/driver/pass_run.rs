@@ -8,7 +8,6 @@ use crate::analysis::program::Program;
 use crate::analysis::program_outcome::InsufficientMemory;
 use crate::certify::faces::contact_faces;
 use crate::diag::{Diagnostic, Diagnostics};
-use crate::driver::context::RunContext;
 use crate::driver::limits::Limits;
 use crate::model::AnalysisModel;
 use crate::report::console::log::Log;
@@ -18,8 +17,8 @@ use crate::solve::{Patterns, SolveOptions};
 use crate::spec::analysis::AnalysisKind;
 use std::sync::Arc;
 
-/// The fault of a case whose programs all exceed the memory.
-pub fn too_large(name: &str, pass: &AnalysisPass, context: &RunContext) -> Diagnostic {
+/// The fault of a case whose programs all exceed the memory; `coarser`: advice on a coarser mesh.
+pub fn too_large(name: &str, pass: &AnalysisPass, coarser: &str) -> Diagnostic {
     let refused: Vec<(Program, InsufficientMemory)> =
         pass.runs().into_iter().filter_map(|(p, run)| Some((p, run.refusal?))).collect();
     let each =
@@ -28,31 +27,31 @@ pub fn too_large(name: &str, pass: &AnalysisPass, context: &RunContext) -> Diagn
         format!("`{name}` does not fit into the memory: {}", each.collect::<Vec<_>>().join("; "));
     let asked = refused.iter().any(|(_, r)| r.room.limit != Limit::Machine);
     let larger = if asked { ", a larger --memory-limit" } else { "" };
-    Diagnostic::environment("run/memory", message).help(format!(
-        "use {}{larger} or a machine with more memory; nothing was written",
-        context.coarser
-    ))
+    Diagnostic::environment("run/memory", message)
+        .help(format!("use {coarser}{larger} or a machine with more memory; nothing was written"))
 }
 
-/// Runs both programs of a case on one mesh. `until` is the time on the log's clock at which solves
-/// end \[s\]. `patterns` are the sparsity patterns that earlier passes on this mesh have found;
-/// `answer_from`: see [`PassOptions`].
+/// Limits of one pass beside those of the run.
+pub struct Terms<'a> {
+    /// Time on the log's clock at which solves end \[s\].
+    pub until: f64,
+    /// See [`PassOptions`].
+    pub answer_from: Option<f64>,
+    /// See [`PassOptions`] \[s\].
+    pub both_within: f64,
+    /// The sparsity patterns that earlier passes on this mesh have found.
+    pub patterns: &'a Patterns,
+}
+
+/// Runs the programs of a case on one mesh.
 pub fn run_pass(
     name: &str,
     model: &AnalysisModel,
-    until: f64,
-    answer_from: Option<f64>,
-    patterns: &Patterns,
+    terms: &Terms<'_>,
     limits: &Limits,
     log: &Arc<Log>,
 ) -> Result<AnalysisPass, Diagnostics> {
-    // one load case may have several kinds of analysis
-    let kind = match model.analysis {
-        AnalysisKind::Limit => " (limit)",
-        AnalysisKind::Elastoplastic => " (elastoplastic)",
-        AnalysisKind::Elastic => "",
-    };
-    let name = format!("{name}{kind}");
+    let name = with_kind(name, model);
     log.line(format!(
         "{}: {} tets, {} contact faces, {} part{}",
         name,
@@ -61,10 +60,45 @@ pub fn run_pass(
         model.parts.len(),
         if model.parts.len() == 1 { "" } else { "s" }
     ));
+    let (options, progress) = options(name, model, terms, limits, log);
+    AnalysisPass::run(model, &options, &progress).map_err(|e| Diagnostic::from(e).into())
+}
+
+/// Adds the upper bound to a pass that has computed the lower one alone.
+pub fn add_upper(
+    pass: &mut AnalysisPass,
+    name: &str,
+    model: &AnalysisModel,
+    terms: &Terms<'_>,
+    limits: &Limits,
+    log: &Arc<Log>,
+) -> Result<(), Diagnostics> {
+    let (options, progress) = options(with_kind(name, model), model, terms, limits, log);
+    pass.add_upper(model, &options, &progress).map_err(|e| Diagnostic::from(e).into())
+}
+
+/// The name of a case with its kind of analysis: one load case may have several.
+fn with_kind(name: &str, model: &AnalysisModel) -> String {
+    let kind = match model.analysis {
+        AnalysisKind::Limit => " (limit)",
+        AnalysisKind::Elastoplastic => " (elastoplastic)",
+        AnalysisKind::Elastic => "",
+    };
+    format!("{name}{kind}")
+}
+
+/// The options of a pass, and the log of its progress.
+fn options(
+    name: String,
+    model: &AnalysisModel,
+    terms: &Terms<'_>,
+    limits: &Limits,
+    log: &Arc<Log>,
+) -> (PassOptions, Progress) {
     // a solve that cannot finish in the remaining time ends with status `time limit`
-    let left = (limits.time.unwrap_or(f64::INFINITY).min(until) - log.seconds()).max(0.0);
+    let left = (limits.time.unwrap_or(f64::INFINITY).min(terms.until) - log.seconds()).max(0.0);
     let interrupt = Some(limits.interrupt.flag());
-    let patterns = patterns.clone();
+    let patterns = terms.patterns.clone();
     let solve = SolveOptions {
         solver: limits.solver,
         time_limit: left,
@@ -72,10 +106,15 @@ pub fn run_pass(
         patterns,
         ..SolveOptions::default()
     };
-    let (shown, name, tolerance) = (log.clone(), name, AnalysisPass::tolerance(model, &solve));
+    let (shown, tolerance) = (log.clone(), AnalysisPass::tolerance(model, &solve));
     let progress: Progress =
         Arc::new(move |program, event| progress::note(&shown, &name, tolerance, program, event));
     let memory = limits.memory;
-    let options = PassOptions { solve, room: Arc::new(move || room(memory)), answer_from };
-    AnalysisPass::run(model, &options, &progress).map_err(|e| Diagnostic::from(e).into())
+    let options = PassOptions {
+        solve,
+        room: Arc::new(move || room(memory)),
+        answer_from: terms.answer_from,
+        both_within: terms.both_within,
+    };
+    (options, progress)
 }

@@ -5,7 +5,7 @@ use crate::analysis::dispatch::AnalysisPass;
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::driver::limits::Limits;
 use crate::driver::pass_entry::{pass_bounds, pass_entry};
-use crate::driver::pass_run::run_pass;
+use crate::driver::pass_run::{self, Terms, run_pass};
 use crate::mesh::TetMesh;
 use crate::model::AnalysisModel;
 use crate::model::file::{Bounds, ModelFile};
@@ -34,10 +34,14 @@ pub struct Kept {
 }
 
 /// Data that a case shares with the other cases of the run.
+#[derive(Clone, Copy)]
 pub struct Share<'a> {
     /// Time on the clock of the log at which the case should end, to leave the other cases their
     /// share \[s\].
     pub until: f64,
+    /// Time that both bounds of a limit analysis on the first mesh may take \[s\]; where more is
+    /// expected, the lower one is computed alone.
+    pub both_within: f64,
     /// Sparsity patterns that passes on the first mesh have found.
     pub patterns: &'a Patterns,
 }
@@ -57,33 +61,39 @@ pub struct Mesh {
 /// The passes of a case.
 pub struct Passes<'a> {
     /// Name of the case.
-    pub name: &'a str,
+    pub name: String,
     /// Limits of the run.
     pub limits: &'a Limits,
     /// Log of the run.
     pub log: &'a Arc<Log>,
     /// Its time and patterns.
-    pub share: &'a Share<'a>,
+    pub share: Share<'a>,
     /// The entry of every pass.
     pub entries: Vec<PassResult>,
     /// The passes with fields.
     pub kept: Vec<Kept>,
 }
 
-impl Passes<'_> {
+impl<'a> Passes<'a> {
+    /// A case without passes.
+    pub fn new(name: String, share: Share<'a>, limits: &'a Limits, log: &'a Arc<Log>) -> Self {
+        Self { name, limits, log, share, entries: Vec::new(), kept: Vec::new() }
+    }
+
     /// Runs the programs on a mesh and keeps entry and fields.
     pub fn run(&mut self, mesh: Mesh) -> Result<Option<&Kept>, Diagnostics> {
         let Mesh { model, made, seconds: mesh_seconds, predicted } = mesh;
         let index = self.entries.len();
         let start = Instant::now();
-        let until = if index == 0 { f64::INFINITY } else { self.share.until };
         // later meshes are used by this case only
         let own = Patterns::default();
-        let patterns = if index == 0 { self.share.patterns } else { &own };
-        let answer_from = self.answer_from(&model);
-        let outcome =
-            run_pass(self.name, &model, until, answer_from, patterns, self.limits, self.log)?;
-        let mut entry = pass_entry(&outcome, self.name, &model, mesh_seconds);
+        let mut terms = Terms { answer_from: self.answer_from(&model), ..self.first_terms() };
+        if index > 0 {
+            let both_within = f64::INFINITY;
+            terms = Terms { until: self.share.until, both_within, patterns: &own, ..terms };
+        }
+        let outcome = run_pass(&self.name, &model, &terms, self.limits, self.log)?;
+        let mut entry = pass_entry(&outcome, &self.name, &model, mesh_seconds);
         if let Some(row) = entry.history.last_mut() {
             row.seconds = Some(mesh_seconds.unwrap_or(0.0) + start.elapsed().as_secs_f64());
             row.predicted = predicted.map(|p| Predicted {
@@ -95,6 +105,40 @@ impl Passes<'_> {
         let bounds = pass_bounds(&outcome, &entry);
         self.entries.push(PassResult { entry, bounds });
         self.kept.push(Kept { outcome, model, made, index });
+        self.note_so_far(index)?;
+        Ok(self.kept.last())
+    }
+
+    /// Terms of a pass on the first mesh, which may take all of the time of the run.
+    fn first_terms(&self) -> Terms<'a> {
+        let Share { both_within, patterns, .. } = self.share;
+        Terms { until: f64::INFINITY, answer_from: None, both_within, patterns }
+    }
+
+    /// Adds the upper bound on the first mesh where the lower one was computed alone.
+    pub fn add_upper(&mut self) -> Result<(), Diagnostics> {
+        let terms = self.first_terms();
+        let (Some(kept), Some(first)) = (self.kept.first_mut(), self.entries.first_mut()) else {
+            return Ok(());
+        };
+        if !kept.outcome.wants_upper(&kept.model) {
+            return Ok(());
+        }
+        let start = Instant::now();
+        let Kept { outcome, model, .. } = kept;
+        pass_run::add_upper(outcome, &self.name, model, &terms, self.limits, self.log)?;
+        let before = first.entry.history.last().cloned().unwrap_or_default();
+        let mut entry = pass_entry(outcome, &self.name, model, before.mesh_seconds);
+        if let Some(row) = entry.history.last_mut() {
+            row.seconds = Some(before.seconds.unwrap_or(0.0) + start.elapsed().as_secs_f64());
+        }
+        let bounds = pass_bounds(outcome, &entry);
+        *first = PassResult { entry, bounds };
+        self.note_so_far(0)
+    }
+
+    /// Notes the best bounds so far in the history of a pass.
+    fn note_so_far(&mut self, index: usize) -> Result<(), Diagnostics> {
         let best = self.joined()?;
         if let Some(row) = self.entries[index].entry.history.last_mut() {
             row.so_far = Some(SoFar {
@@ -104,7 +148,7 @@ impl Passes<'_> {
                 strict: best.is_strict(),
             });
         }
-        Ok(self.kept.last())
+        Ok(())
     }
 
     /// Where a mesh for the lower bound alone needs the bound without friction, see
@@ -118,7 +162,7 @@ impl Passes<'_> {
 
     /// The entry with the best bounds so far.
     pub fn joined(&self) -> Result<CaseResult, Diagnostics> {
-        joined(self.name, &self.entries)
+        joined(&self.name, &self.entries)
     }
 
     /// Drops the fields of passes without a best bound, except those of the passes in `used`.

@@ -3,17 +3,18 @@
 use crate::certify::faces::contact_faces;
 use crate::checks::verdict::{self, Verdict};
 use crate::diag::Diagnostics;
-use crate::driver::adaptive::{self, Adapted};
+use crate::driver::adaptive::Adapted;
 use crate::driver::case::{Case, not_analysed, refuse_idle, stems};
 use crate::driver::case_files::write_passes;
 use crate::driver::collapse_pictures::collapse_pictures;
 use crate::driver::context::RunContext;
-use crate::driver::finish::{Analyses, Finished, certified, finish};
+use crate::driver::finish::{Analyses, Finished, finish};
 use crate::driver::limits::Limits;
 use crate::driver::pass_entry::lower_stress;
-use crate::driver::passes::{Kept, Share};
+use crate::driver::passes::Kept;
 use crate::driver::pictures::{contact_pictures, convergence, deformed_picture, mesh_pictures};
 use crate::driver::polygon::Directions;
+use crate::driver::queue::Queue;
 use crate::driver::scene::add_case;
 use crate::model::AnalysisModel;
 use crate::report::console::log::Log;
@@ -55,20 +56,26 @@ pub fn run_cases(
     let mut directions = Directions::among(&cases, context.polygon.as_ref());
     // the first mesh is the same for all cases
     let patterns = Patterns::default();
-    for (i, case) in cases.into_iter().enumerate() {
-        if limits.interrupt.asked() && i > 0 {
+    let traits: Vec<_> = cases.iter().map(|c| (c.model_file.clone(), c.direction)).collect();
+    let mut queue = Queue::new(cases, &patterns, context.coarser, limits, log);
+    if let Some(time) = limits.time {
+        queue.lower_bounds(time)?;
+        queue.upper_bounds()?;
+    }
+    for (i, ((model_name, first), direction)) in traits.into_iter().enumerate() {
+        if limits.interrupt.asked() && i > 0 && queue.untouched(i) {
             result.warnings.push(not_analysed(&asked[i..]));
             break;
         }
-        note_traits(&case.model, &mut analyses);
-        let (model_name, first) = case.model_file.clone();
-        let direction = case.direction;
+        let begun = queue.take(i)?;
+        if let Some(model) = begun.model() {
+            note_traits(model, &mut analyses);
+        }
         let now = log.seconds();
         let until = limits
             .time
             .map_or(f64::INFINITY, |t| now + (t - now).max(0.0) / (asked.len() - i) as f64);
-        let share = Share { until, patterns: &patterns };
-        let adapted = adaptive::analyse(case, i == 0, &share, &context, limits, log)?;
+        let adapted = begun.end(until, &context, limits)?;
         let stem = stems[i].as_str();
         // the first mesh is `mesh.msh`; it stays where something else needs it
         let alone = asked.len() == 1 && !adapted.keeps_first_mesh();
@@ -111,6 +118,7 @@ pub fn run_cases(
         }
         result.cases.push(entry);
     }
+    result.warnings.extend(without_bounds(&result.cases));
     result.polygon = directions.and_then(Directions::polygon);
     if let Some(polygon) = &result.polygon {
         folder.write("polygon.svg", polygon::drawing(polygon).as_bytes())?;
@@ -122,6 +130,18 @@ pub fn run_cases(
     }
     analyses.interrupt = limits.interrupt.clone();
     finish(result, context, analyses, folder, log)
+}
+
+/// The warning about the analyses that ended without any bound.
+fn without_bounds(cases: &[CaseResult]) -> Option<String> {
+    let bare = cases.iter().filter(|c| c.lower.is_none() && c.upper.is_none());
+    let named: Vec<String> = bare
+        .map(|c| {
+            let why = c.ended_by().map_or_else(String::new, |s| format!(", {s}"));
+            format!("{} ({}{why})", c.name, c.analysis.word())
+        })
+        .collect();
+    (!named.is_empty()).then(|| format!("not analysed, without any bound: {}", named.join("; ")))
 }
 
 /// Adds the traits and notes of a model to those of the run.
@@ -140,6 +160,11 @@ fn note_traits(model: &AnalysisModel, analyses: &mut Analyses) {
     }
 }
 
+/// The warning about a joint whose bolts may break before its rows yield.
+const NO_ROTATION: &str = "no rule of rotation capacity holds: the lower bound decides nothing, and \
+                           plastic global analysis may not rely on the rotation of the joint (EN \
+                           1993-1-8:2005 6.4)";
+
 /// Adds to an entry: a warning if a program did not fit into the memory, the utilisation, and the
 /// demand of its load case.
 fn judge_case(entry: &mut CaseResult, upper: &Kept, of_polygon: bool, context: &RunContext) {
@@ -154,7 +179,11 @@ fn judge_case(entry: &mut CaseResult, upper: &Kept, of_polygon: bool, context: &
     let demand = context.demands.iter().find(|d| d.case == entry.name && !of_polygon);
     if let Some(demand) = demand {
         let actions = demand.actions.clone();
-        entry.demand = Some(Demand::new(entry, certified(entry), actions, &context.checks));
+        let demand = Demand::new(entry, actions, &context.checks);
+        if demand.brittle.is_some() {
+            entry.warnings.push(NO_ROTATION.into());
+        }
+        entry.demand = Some(demand);
     }
 }
 

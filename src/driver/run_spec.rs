@@ -1,25 +1,30 @@
 //! The analysis of a connection spec: geometry, mesh, cases, result.
 
+use crate::checks::verdict::Verdict;
 use crate::checks::{Analysed, HandChecks, Status, Topic, judge};
 use crate::diag::{Diagnostic, Diagnostics};
+use crate::driver::case::not_analysed;
 use crate::driver::check_spec::checks_alone;
 use crate::driver::demands::{CaseDemand, demands};
-use crate::driver::finish::Finished;
-use crate::driver::input_hash::spec_hash;
+use crate::driver::finish::{Analyses, Finished, finish};
+use crate::driver::input_hash::{checked_hash, spec_hash};
 use crate::driver::limits::{Limits, WHEN_INTERRUPTED};
-use crate::driver::meshing::{Extent, find_mesher, mesh, mesh_options, quality_table};
+use crate::driver::meshing::{Extent, clean, find_mesher, mesh, mesh_options, quality_table};
 use crate::driver::run_cases::run_cases;
 use crate::driver::spec_cases::{asked_cases, cases, give_remesh};
 use crate::driver::spec_checks::{analysis_kinds, check_input};
 use crate::driver::spec_context::{spec_checks, spec_context};
 use crate::driver::spec_file::{self, SpecFile};
+use crate::geometry::Scene;
 use crate::mesh::joint::JointMesh;
 use crate::mesh::msh_write;
 use crate::refine::plan;
 use crate::report::console::log::Log;
 use crate::report::markdown::report_data::ResolvedValue;
 use crate::result::folder::ResultFolder;
+use crate::result::result_file::ResultFile;
 use crate::spec::analysis::AnalysisKind;
+use crate::spec::polygon::PolygonSpec;
 use crate::spec::yaml;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -31,6 +36,9 @@ pub const KIND: &str = "analysis.kind";
 pub const SIZE_FACTOR: &str = "mesh size factor";
 /// Origin of what an option of the command line sets.
 pub const COMMAND_LINE: &str = "command line";
+
+/// Codes of the faults of a mesher that gave no mesh, or not even its version, in the time it had.
+const OUT_OF_TIME: [&str; 2] = ["mesher/time", "mesher/version"];
 
 /// The spec to analyse, and the options that override it.
 #[derive(Clone, Debug)]
@@ -66,13 +74,7 @@ pub fn run_spec(run: &SpecRun, mut limits: Limits) -> Result<Finished, Diagnosti
     let asked = &input.spec.value.analysis;
     limits.time = asked.time_limit.map(|t| t.0);
     let log = Arc::new(Log::new(run.quiet));
-    // a run without limit analysis has no polygon
-    let polygon = input
-        .spec
-        .value
-        .polygon
-        .as_ref()
-        .filter(|_| matches!(run.kind, None | Some(AnalysisKind::Limit)));
+    let polygon = run.polygon(&input);
     if asked_cases(&input, &kinds, polygon).is_empty() {
         let folder = ResultFolder::begin(&run.folder)?;
         limits.interrupt.begin_short(folder.give_up());
@@ -80,16 +82,37 @@ pub fn run_spec(run: &SpecRun, mut limits: Limits) -> Result<Finished, Diagnosti
         log.line("nothing acts in any load case: there is nothing to analyse");
         return checks_alone(&run.spec, &input, checks, folder, &log);
     }
-    let mesher = find_mesher(&limits.interrupt, limits.time, &log)?;
+    let loads = &input.spec.value.loads;
+    let judged = !demands(loads).is_empty();
+    let out_of_time = |f: &Diagnostics| {
+        let over = limits.time.is_some_and(|t| log.seconds() >= t);
+        judged && over && OUT_OF_TIME.contains(&f.first().code)
+    };
+    let mesher = match find_mesher(&limits.interrupt, limits.time, &log) {
+        Err(faults) if !out_of_time(&faults) => return Err(faults),
+        mesher => mesher,
+    };
     let folder = ResultFolder::begin(&run.folder)?;
     limits.interrupt.begin(&log, WHEN_INTERRUPTED, folder.give_up());
     input.store(&folder)?;
     input.catalog.warnings().iter().for_each(|w| log.line(spec_file::catalog_warning(w)));
-    report_checks(&checks, &demands(&input.spec.value.loads), &log);
+    report_checks(&checks, &demands(loads), &log);
     let start = Instant::now();
-    let options =
-        mesh_options(run.extent, &input, &kinds, &mesher, &limits.interrupt, folder.path());
-    let meshed = mesh(&options, &input, &log)?;
+    let asked_mesh = mesher.and_then(|mesher| {
+        let flag = &limits.interrupt;
+        let options = mesh_options(run.extent, &input, &kinds, &mesher, flag, folder.path());
+        match mesh(&options, &input, &log) {
+            Err(faults) if out_of_time(&faults) => clean(&options).and(Err(faults)),
+            meshed => Ok((meshed?, options)),
+        }
+    });
+    let (meshed, options) = match asked_mesh {
+        Err(faults) if out_of_time(&faults) => {
+            let unmeshed = Unmeshed { input: &input, kinds: &kinds, faults, checks };
+            return unmeshed.finish(run, &limits, folder, &log);
+        }
+        found => found?,
+    };
     let mesh_seconds = start.elapsed().as_secs_f64();
     let mesh_file = folder.path().join("mesh.msh");
     msh_write::write(&meshed.mesh, &mesh_file)?;
@@ -120,7 +143,47 @@ pub fn run_spec(run: &SpecRun, mut limits: Limits) -> Result<Finished, Diagnosti
     run_cases(cases, context, &limits, folder, &log)
 }
 
+/// A run whose time ended before there was a mesh. The checks of the code still have a verdict.
+struct Unmeshed<'a> {
+    input: &'a SpecFile,
+    kinds: &'a [AnalysisKind],
+    /// Why there is no mesh.
+    faults: Diagnostics,
+    checks: HandChecks,
+}
+
+impl Unmeshed<'_> {
+    /// Writes the result without analyses.
+    fn finish(
+        self,
+        run: &SpecRun,
+        limits: &Limits,
+        folder: ResultFolder,
+        log: &Log,
+    ) -> Result<Finished, Diagnostics> {
+        let Unmeshed { input, kinds, faults, checks } = self;
+        let mut context = spec_context(&run.spec, input, checks)?;
+        context.resolved.extend(run.overrides());
+        context.input_hash = checked_hash(input)?;
+        let symmetry = Scene::new(&input.joint.assembly, run.extent.full).copies();
+        let mut result = ResultFile::new(context.input_hash.clone(), symmetry, Verdict::None);
+        result.asked =
+            asked_cases(input, kinds, run.polygon(input)).into_iter().map(|c| c.name).collect();
+        result.warnings.clone_from(&context.checks.notes);
+        result.warnings.push(not_analysed(&result.asked));
+        result.warnings.push(faults.first().message.clone());
+        let interrupt = limits.interrupt.clone();
+        finish(result, context, Analyses { interrupt, ..Analyses::default() }, folder, log)
+    }
+}
+
 impl SpecRun {
+    /// The polygon to compute; a run without limit analysis has none.
+    fn polygon<'s>(&self, input: &'s SpecFile) -> Option<&'s PolygonSpec> {
+        let limit = matches!(self.kind, None | Some(AnalysisKind::Limit));
+        input.spec.value.polygon.as_ref().filter(|_| limit)
+    }
+
     /// What the command line sets in place of the spec.
     fn overrides(&self) -> Vec<ResolvedValue> {
         let factor = Some(self.extent.size_factor).filter(|f| *f != 1.0);

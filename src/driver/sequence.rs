@@ -159,7 +159,7 @@ impl Passes<'_> {
             return Ok(Refined::Stop(Stop::Target));
         }
         let Sequence { track, remesher, last, .. } = sequence;
-        let (name, log) = (self.name, self.log);
+        let (name, log) = (self.name.clone(), self.log);
         let budget = Budget {
             seconds: part * (self.share.until - log.seconds()),
             bytes: room(self.limits.memory).map(|r| r.bytes),

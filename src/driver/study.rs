@@ -2,7 +2,7 @@
 
 use crate::analysis::memory::forget_peak;
 use crate::diag::{Diagnostic, Diagnostics, ExitStatus, number};
-use crate::driver::adaptive;
+use crate::driver::adaptive::Begun;
 use crate::driver::case::Case;
 use crate::driver::context::RunContext;
 use crate::driver::finish::INTERRUPTED;
@@ -287,14 +287,10 @@ fn study(
                 let until = limits.time.map_or(f64::INFINITY, |t| log.seconds() + t);
                 let meshes = if level.is_none() { Meshes::Adaptive } else { Meshes::Uniform };
                 // a mesh that does not fit into the memory is skipped
-                match adaptive::analyse(
-                    case,
-                    true,
-                    &Share { until, patterns: &Patterns::default() },
-                    &context,
-                    limits,
-                    log,
-                ) {
+                let patterns = Patterns::default();
+                let share = Share { until, both_within: f64::INFINITY, patterns: &patterns };
+                let begun = Begun::new(case, true, share, context.coarser, limits, log);
+                match begun.and_then(|b| b.end(until, &context, limits)) {
                     Ok(done) => rows.extend(study_rows(meshes, solver_name(*solver), &done.entry)),
                     Err(e) if rows.is_empty() => return Err(e),
                     Err(e) => log.line(format!("left out: {}", e.first().message)),

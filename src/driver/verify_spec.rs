@@ -3,7 +3,7 @@
 
 use crate::checks::HandChecks;
 use crate::driver::demands::demands;
-use crate::driver::finish::{certified, judge_result};
+use crate::driver::finish::judge_result;
 use crate::driver::run_cases::safe_utilisation;
 use crate::driver::spec_context::spec_checks;
 use crate::driver::spec_file::SpecFile;
@@ -21,8 +21,7 @@ pub fn of_spec(result: &ResultFile, input: &SpecFile) -> Vec<String> {
     for case in &mut again.cases {
         case.utilisation = safe_utilisation(case);
         let demand = demands.iter().find(|d| d.case == case.name);
-        case.demand =
-            demand.map(|d| Demand::new(case, certified(case), d.actions.clone(), &checks));
+        case.demand = demand.map(|d| Demand::new(case, d.actions.clone(), &checks));
         case.joint_stiffness = joint_stiffness(case, &checks.moments);
     }
     again.judgement = None;

@@ -9,6 +9,7 @@ use crate::result::demand::{Demand, EndAction};
 use crate::result::forces::StaticForces;
 use crate::result::history::HistoryRow;
 use crate::result::quantity::{FrictionModel, LoadSize, Quantity, RawBracket, Upper};
+use crate::solve::SolveStatus;
 use crate::spec::analysis::AnalysisKind;
 use serde::{Deserialize, Serialize};
 
@@ -230,22 +231,41 @@ impl CaseResult {
     }
 }
 
+impl CaseResult {
+    /// How the last solve without a solution ended, that for the lower bound before that for the
+    /// upper one: `time limit`.
+    pub fn ended_by(&self) -> Option<&str> {
+        let mut ended = self.history.iter().rev().flat_map(|row| {
+            let runs = [&row.static_frictionless, &row.static_, &row.kinematic];
+            runs.into_iter().flatten().map(|r| r.status.as_str())
+        });
+        ended.find(|s| *s != SolveStatus::Optimal.words())
+    }
+
+    /// Which strict bound limit analysis did not give, as text with the reason; `None` where it
+    /// gave a lower bound or proved that the loads can grow without limit.
+    pub fn lacking(&self) -> Option<String> {
+        let bounds = self.factor_bounds();
+        let no_limit = matches!(self.upper, Some(Upper::Unbounded(_)));
+        if bounds.0.is_some() || no_limit {
+            return None;
+        }
+        let what = if bounds.1.is_some() { "lower bound" } else { "bound" };
+        let why = self.ended_by().map_or_else(String::new, |s| format!(" ({s})"));
+        Some(format!("limit analysis gave no {what}{why}"))
+    }
+}
+
 impl Demand {
     /// The demand of a load case under one kind of analysis. In limit analysis the strict bounds
-    /// decide the verdict; a joint without the rotation capacity that limit analysis assumes is at
-    /// best undecided. `certified` means that every program that ran gave a certified bound.
-    pub fn new(
-        entry: &CaseResult,
-        certified: bool,
-        actions: Vec<EndAction>,
-        checks: &HandChecks,
-    ) -> Self {
+    /// decide the verdict; a lower bound decides nothing in a joint without the rotation capacity
+    /// that limit analysis assumes. No other kind brackets a resistance.
+    pub fn new(entry: &CaseResult, actions: Vec<EndAction>, checks: &HandChecks) -> Self {
         let (lower, upper) = entry.safe_bounds();
         let by_analysis = match (entry.quantity, Verdict::of(lower, upper)) {
             (Quantity::LoadFactor, Verdict::Ok) if checks.brittle.is_some() => Verdict::Undecided,
             (Quantity::LoadFactor, verdict) => verdict,
-            (Quantity::PotentialEnergy, _) if certified => Verdict::None,
-            (Quantity::PotentialEnergy, _) => Verdict::Undecided,
+            (Quantity::PotentialEnergy, _) => Verdict::None,
         };
         let component_method =
             checks.comparisons.iter().filter(|c| c.case == entry.name).cloned().collect();
@@ -253,6 +273,7 @@ impl Demand {
         let brittle = checks.brittle.clone().filter(|_| entry.quantity == Quantity::LoadFactor);
         Self {
             verdict: by_analysis,
+            route: None,
             by_code: Verdict::None,
             by_analysis,
             actions,
@@ -266,31 +287,46 @@ impl Demand {
 mod tests {
     use super::*;
     use crate::result::fixtures::limit_case;
+    use crate::result::history::ProgramRun;
 
-    /// If no rule of rotation capacity holds, strict bounds above 1 do not make a joint OK, while
-    /// bounds below 1 still refuse it. Energies give no verdict, but an analysis without a
-    /// certificate leaves the case open.
+    /// If no rule of rotation capacity holds, a strict lower bound above 1 decides nothing, while
+    /// an upper bound below 1 still refuses the joint. Energies give no verdict, finished or not.
     #[test]
-    fn a_brittle_joint_is_at_most_undecided() {
+    fn a_lower_bound_decides_nothing_in_a_brittle_joint() {
         let brittle =
             HandChecks { brittle: Some("t is too thick".into()), ..HandChecks::default() };
         let verdict = |checks: &HandChecks, l, u| {
-            Demand::new(&limit_case(Some(l), Some(u)), true, Vec::new(), checks).by_analysis
+            Demand::new(&limit_case(Some(l), Some(u)), Vec::new(), checks).by_analysis
         };
         assert_eq!(verdict(&HandChecks::default(), 1.1, 1.2), Verdict::Ok);
         assert_eq!(verdict(&brittle, 1.1, 1.2), Verdict::Undecided);
         assert_eq!(verdict(&brittle, 0.8, 0.9), Verdict::NotOk);
-        let elastic = |certified| {
-            let case = CaseResult {
-                quantity: Quantity::PotentialEnergy,
-                ..limit_case(Some(1.1), Some(1.2))
-            };
-            Demand::new(&case, certified, Vec::new(), &brittle)
+        for (lower, upper) in [(Some(1.1), Some(1.2)), (None, None)] {
+            let case =
+                CaseResult { quantity: Quantity::PotentialEnergy, ..limit_case(lower, upper) };
+            let elastic = Demand::new(&case, Vec::new(), &brittle);
+            assert_eq!((elastic.by_analysis, elastic.brittle), (Verdict::None, None));
+        }
+    }
+
+    /// A bound that is missing is named with the end of its solver.
+    #[test]
+    fn a_missing_bound_is_named_with_its_cause() {
+        let run =
+            |status: &str| Some(ProgramRun { status: status.into(), ..ProgramRun::default() });
+        let row = HistoryRow {
+            kinematic: run("optimal"),
+            static_: run("time limit"),
+            ..HistoryRow::default()
         };
+        let of = |l, u| CaseResult { history: vec![row.clone()], ..limit_case(l, u) }.lacking();
         assert_eq!(
-            [true, false].map(|c| elastic(c).by_analysis),
-            [Verdict::None, Verdict::Undecided]
+            of(None, Some(1.2)).as_deref(),
+            Some("limit analysis gave no lower bound (time limit)")
         );
-        assert_eq!(elastic(true).brittle, None);
+        assert_eq!(of(None, None).as_deref(), Some("limit analysis gave no bound (time limit)"));
+        assert_eq!(of(Some(0.9), None), None);
+        let estimate = CaseResult { certificate: None, ..limit_case(Some(1.2), Some(1.3)) };
+        assert_eq!(estimate.lacking().as_deref(), Some("limit analysis gave no bound"));
     }
 }

@@ -1,6 +1,6 @@
 //! The demand of a load case, and the verdict on it.
 
-use crate::checks::verdict::Verdict;
+use crate::checks::verdict::{Route, Verdict};
 use crate::checks::{Comparison, Judgement};
 use crate::spec::loads::Action;
 use serde::{Deserialize, Serialize};
@@ -8,8 +8,11 @@ use serde::{Deserialize, Serialize};
 /// The demand of a load case and the verdict on it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Demand {
-    /// The verdict at load factor 1: the worse of `by_code` and `by_analysis`.
+    /// The verdict at load factor 1: what the complete routes prove.
     pub verdict: Verdict,
+    /// The route that proves `ok`; absent otherwise.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub route: Option<Route>,
     /// The verdict of the code's checks of the load case.
     pub by_code: Verdict,
     /// The verdict of the strict bounds of this entry; `none` for an analysis that brackets no
@@ -21,7 +24,7 @@ pub struct Demand {
     /// Result of the component method for the case, one entry for each member end.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub component_method: Vec<Comparison>,
-    /// Reason why the verdict cannot be `ok`: no rule of rotation capacity is satisfied.
+    /// Reason why no lower bound decides: no rule of rotation capacity is satisfied.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub brittle: Option<String>,
 }
@@ -30,6 +33,7 @@ impl Demand {
     /// Stores the verdicts of the load case.
     pub fn judged(&mut self, judgement: &Judgement) {
         (self.by_code, self.verdict) = (judgement.by_code, judgement.verdict);
+        self.route = judgement.route;
     }
 }
 

@@ -89,9 +89,10 @@ fn a_demand_below_above_and_within_the_bracket_ends_with_0_1_and_3() {
             assert!((found / wanted - 1.0).abs() < 1e-3, "{name}: {found} for {wanted}");
         }
         let report = bench.read(&format!("{name}/report.md"));
-        let words = [("undecided", "UNDECIDED"), ("ok", "**OK**"), ("not_ok", "NOT OK")]
-            .into_iter()
-            .find(|w| w.0 == word);
+        let words =
+            [("undecided", "UNDECIDED"), ("ok", "**OK — by analysis**"), ("not_ok", "NOT OK")]
+                .into_iter()
+                .find(|w| w.0 == word);
         assert!(words.is_some_and(|w| report.contains(w.1)), "{name}: {report}");
     }
 }

@@ -179,6 +179,7 @@ fn result() -> ResultFile {
         tool: Tool { name: "bracket".into(), version: "0.0.0-golden".into() },
         judgement: Some(Judgement {
             verdict: Verdict::NotOk,
+            route: None,
             by_code: Verdict::NotOk,
             by_analysis: Verdict::Undecided,
             reason: "TOP: a check fails: end distance, end plate, utilisation 1.04 (EN \

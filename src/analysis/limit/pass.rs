@@ -1,5 +1,6 @@
 //! The pass of a limit analysis: fields and bounds of the load factor on one mesh.
 
+use crate::analysis::engine::Finished;
 use crate::analysis::limit::coulomb::CoulombEstimate;
 use crate::analysis::limit::programs::SUBDIVISIONS;
 use crate::analysis::pass::{PassError, check_identity};
@@ -81,6 +82,25 @@ impl LimitPass {
             false => (&self.stress, &self.lower),
         };
         stress.as_ref().zip(bound.as_ref())
+    }
+
+    /// Adds a kinematic program after its solve.
+    pub(super) fn add_kinematic(&mut self, k: Finished<(VelocityField, UpperFactor)>) {
+        self.kinematic = Some(k.outcome);
+        if let Some((field, bound)) = k.answer {
+            self.velocity = Some(field);
+            self.upper = Some(bound);
+        }
+    }
+
+    /// Joins the bounds that are there to brackets.
+    pub(super) fn join(&mut self) -> Result<(), PassError> {
+        let bracket = |lower: &Option<LowerFactor>| match (lower, &self.upper) {
+            (Some(l), Some(u)) => FactorBracket::new(l.clone(), u.clone()).map(Some),
+            _ => Ok(None),
+        };
+        (self.bracket, self.coulomb) = (bracket(&self.lower)?, bracket(&self.frictionless)?);
+        Ok(())
     }
 
     /// Adds the contributions to the gap of the reported bracket; where both fields are admissible,

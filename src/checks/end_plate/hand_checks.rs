@@ -16,7 +16,7 @@ pub struct HandChecks {
     pub comparisons: Vec<Comparison>,
     /// Load cases that consist of one moment; its rotation gives the stiffness of the joint.
     pub moments: Vec<PureMoment>,
-    /// Reason why the verdict of a limit analysis may not be OK: no rule of rotation capacity
+    /// Reason why the lower bound of a limit analysis decides nothing: no rule of rotation capacity
     /// holds.
     pub brittle: Option<String>,
     /// Load cases in which a component may buckle. In these the component method binds, whatever

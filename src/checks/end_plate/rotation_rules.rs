@@ -97,17 +97,18 @@ impl RotationRules {
         self.parts.iter().flat_map(rules).collect()
     }
 
-    /// Reason why the verdict of a limit analysis may not be OK, with the numbers of the rules that
-    /// do not hold.
+    /// Reason why the lower bound of a limit analysis decides nothing, with the numbers of the rules
+    /// that do not hold.
     pub fn brittle(&self, limits: &[SenseLimits]) -> String {
         let rules = self.checks(limits);
         let each: Vec<String> =
             rules.iter().map(|c| format!("{}: {} ({})", c.subject, c.formula, c.clause)).collect();
         format!(
             "no rule of rotation capacity holds, so that bolts may break before the rows have \
-             yielded as limit analysis takes them to: {}; design with the component method, whose \
-             rows below one with more than 1.9 F_t,Rd grow with their lever arms (6.2.7.2(9)), or \
-             elastically",
+             yielded as limit analysis takes them to: {}; plastic global analysis may not rely on \
+             the rotation of the joint (6.4); the component method needs no such rule, because \
+             its rows below one with more than 1.9 F_t,Rd grow with their lever arms \
+             (6.2.7.2(9))",
             each.join("; ")
         )
     }

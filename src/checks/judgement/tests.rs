@@ -24,7 +24,8 @@ fn verdicts(checks: &[Check], unstable: &[&str], analysis: Verdict) -> [Verdict;
 
 use Verdict::{None as Nothing, NotOk, Ok as Fine, Undecided};
 
-/// Strength by the component method decides where no limit analysis decides.
+/// Strength by the component method decides where no limit analysis decides. Where it holds, the
+/// code's route is complete, and bounds that do not decide change nothing.
 #[test]
 fn the_component_method_decides_where_no_bracket_does() {
     let over = [check(Topic::ComponentMethod, 1.2, Some("A")), check(Topic::Bolts, 0.9, Some("A"))];
@@ -37,7 +38,95 @@ fn the_component_method_decides_where_no_bracket_does() {
     );
     assert_eq!(verdicts(&over, &[], NotOk), [NotOk, Fine, NotOk]);
     assert_eq!(verdicts(&over[1..], &[], Nothing), [Fine, Fine, Nothing]);
-    assert_eq!(verdicts(&over[1..], &[], Undecided), [Undecided, Fine, Undecided]);
+    assert_eq!(verdicts(&over[1..], &[], Undecided), [Fine, Fine, Undecided]);
+    assert_eq!(verdicts(&over[1..], &[], NotOk), [NotOk, Fine, NotOk]);
+}
+
+/// The judgement on the case `A`.
+fn judged(checks: &[Check], a: Analysed) -> Judgement {
+    judge(&mut hand(checks, &[]), &[a]).0
+}
+
+/// The route is the code's where its checks hold, the component method included; the bounds' where
+/// they stand in for the component method or where the code has no checks.
+#[test]
+fn the_route_is_the_one_that_is_complete() {
+    let method = |used| check(Topic::ComponentMethod, used, Some("A"));
+    let bolts = check(Topic::Bolts, 0.9, Some("A"));
+    let of = |checks: &[Check], analysis| {
+        let j = judged(checks, Analysed { verdict: analysis, ..Analysed::not("A") });
+        (j.words(), j.route)
+    };
+    let code = ("OK — by code", Some(Route::Code));
+    let bounds = ("OK — by analysis", Some(Route::Analysis));
+    for analysis in [Nothing, Undecided, Fine] {
+        assert_eq!(of(&[method(0.8), bolts.clone()], analysis), code);
+        assert_eq!(of(&[method(0.8)], analysis), code, "information is still a check of the load");
+    }
+    assert_eq!(of(&[method(1.2), bolts.clone()], Fine), bounds);
+    assert_eq!(of(&[], Fine), bounds);
+    assert_eq!(of(&[method(1.2), bolts.clone()], Undecided), ("NOT OK", None));
+    assert_eq!(of(&[method(0.8), bolts.clone()], NotOk), ("NOT OK", None));
+    assert_eq!(of(&[], Undecided), ("UNDECIDED", None));
+    // of several cases the weaker route counts
+    let two = [method(0.8), bolts.clone(), check(Topic::Bolts, 0.9, Some("B"))];
+    let over = check(Topic::ComponentMethod, 1.1, Some("B"));
+    let cases = |last| [Analysed::not("A"), Analysed { verdict: last, ..Analysed::not("B") }];
+    let all = |checks: &[Check], last| judge(&mut hand(checks, &[]), &cases(last)).0.route;
+    assert_eq!(all(&two, Nothing), Some(Route::Code));
+    assert_eq!(all(&[&two[..], &[over]].concat(), Fine), Some(Route::Analysis));
+}
+
+/// A lower bound that no rule of rotation capacity supports decides nothing, and takes nothing
+/// from the code's route.
+#[test]
+fn a_lack_of_rotation_capacity_limits_the_bound_alone() {
+    let brittle = |case| Analysed {
+        verdict: Undecided,
+        utilisation: Some([0.69, 0.81]),
+        brittle: true,
+        no_rule: true,
+        ..Analysed::not(case)
+    };
+    let j = judged(&[check(Topic::ComponentMethod, 0.87, Some("A"))], brittle("A"));
+    assert_eq!((j.verdict, j.route, j.by_analysis), (Fine, Some(Route::Code), Undecided));
+    assert!(j.reason.contains("utilisation 0.87"), "{}", j.reason);
+    assert!(j.reason.contains("no rule of rotation capacity holds"), "{}", j.reason);
+    let j = judged(&[check(Topic::ComponentMethod, 1.01, Some("A"))], brittle("A"));
+    assert_eq!(j.verdict, NotOk);
+    let j = judged(&[], brittle("A"));
+    assert_eq!(j.verdict, Undecided);
+    assert!(j.reason.contains("a rule of rotation capacity holds"), "{}", j.reason);
+}
+
+/// An undecided verdict names the first missing step and what would supply it; every verdict names
+/// the cases without a lower bound.
+#[test]
+fn what_is_missing_is_named_with_what_would_supply_it() {
+    let lacks = "limit analysis gave no lower bound (time limit)";
+    let cut =
+        |case| Analysed { verdict: Undecided, missing: Some(lacks.into()), ..Analysed::not(case) };
+    let of = |checks: &[Check], a| judged(checks, a).line(3, None);
+    let wide = Analysed { verdict: Undecided, ..Analysed::not("A") };
+    for (line, words) in [
+        (of(&[], Analysed::not("A")), ["no limit analysis was run", "`kind: limit`"]),
+        (of(&[], wide), ["the bounds do not decide", "`max_passes`"]),
+        (of(&[], cut("A")), [lacks, "`time_limit`"]),
+    ] {
+        assert!(line.starts_with("verdict: UNDECIDED (by code none"), "{line}");
+        assert!(words.iter().all(|w| line.contains(w)), "{line}");
+    }
+    let unknown =
+        Check::undecided(Topic::Stability, "panel", "6.2.6.1(1)", "slender", "69").of_case("A");
+    let line = of(std::slice::from_ref(&unknown), cut("A"));
+    for words in ["slender, panel (6.2.6.1(1))", "a detail that its clause covers", lacks] {
+        assert!(line.contains(words), "{line}");
+    }
+    let checks = [check(Topic::Bolts, 0.9, Some("A")), check(Topic::Bolts, 0.4, Some("B"))];
+    let (all, each) = judge(&mut hand(&checks, &[]), &[cut("A"), cut("B")]);
+    assert_eq!(all.verdict, Fine);
+    assert!(each[1].reason.contains(lacks), "{}", each[1].reason);
+    assert!(all.reason.ends_with("; without a lower bound: B"), "{}", all.reason);
 }
 
 /// Where a component may buckle the component method binds; no bracket overrules it or any
@@ -86,7 +175,11 @@ fn a_case_at_serviceability_does_not_stand_for_the_ultimate_one() {
     let (j, each) = judge(&mut h.clone(), &[Analysed::not("A"), Analysed::not("S")]);
     assert_eq!((j.verdict, each[1].verdict), (Fine, Nothing));
     let limit = Analysed { verdict: Fine, ..Analysed::not("S") };
-    assert_eq!(judge(&mut h, &[limit]).0.verdict, Undecided);
+    let alone = judge(&mut h.clone(), &[limit]).0;
+    assert_eq!((alone.verdict, alone.route), (Undecided, None));
+    // a bracket that does not decide leaves the case as it is without one
+    let wide = Analysed { verdict: Undecided, ..Analysed::not("S") };
+    assert_eq!(judge(&mut h, &[Analysed::not("A"), wide]).0.verdict, Fine);
 }
 
 /// The line names the governing check: the failed check of the worst case, with clause and
@@ -103,7 +196,7 @@ fn the_last_line_names_what_governs() {
     assert_eq!(each.iter().map(|j| j.verdict).collect::<Vec<_>>(), [Fine, NotOk]);
     let line = j.line(1, None);
     for words in [
-        "NOT OK (by code NOT OK, by analysis OK)",
+        "verdict: NOT OK (by code NOT OK, by analysis OK)",
         "B, share, row, utilisation 1.05 (6.2)",
         "exit code 1",
     ] {

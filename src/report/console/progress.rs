@@ -35,6 +35,12 @@ pub fn note(log: &Log, case: &str, tolerance: f64, program: Program, event: Even
             gib(needed, Rounding::Up),
             room_words(&room)
         )),
+        Event::Later { expected, within } => log.line(format!(
+            "{case}: the lower bound comes first, the {name} program runs later: both may take {}, \
+             and there are {}",
+            about(expected),
+            about(within)
+        )),
         Event::Refused(refusal) => {
             log.line(format!(
                 "{case}: the {name} program is not started: it {}",

@@ -81,7 +81,10 @@ pub(crate) fn answer(page: &mut String, case: &CaseResult, data: &ReportData) {
             };
             format!("{name}: the loads can grow without limit{proof}.")
         }
-        (None, None) => format!("{name}: no value was obtained; the history below says why."),
+        (None, None) => {
+            let why = case.ended_by().map_or_else(String::new, |s| format!(" ({s})"));
+            format!("{name}: **not analysed**, no bound was obtained{why}.")
+        }
     };
     paragraph(page, &text);
     if !strict && (case.lower.is_some() || case.upper.is_some()) {

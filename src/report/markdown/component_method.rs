@@ -18,7 +18,7 @@ pub(crate) fn lines(page: &mut String, case: &CaseResult) {
         paragraph(page, &inline(&line(&case.name, c, case.factor_bounds())));
     }
     if let Some(why) = &demand.brittle {
-        paragraph(page, &inline(&format!("The verdict is at most UNDECIDED: {why}.")));
+        paragraph(page, &inline(&format!("The lower bound decides nothing: {why}.")));
     }
 }
 
@@ -176,7 +176,7 @@ mod tests {
                 upper: Some(Upper::Finite(-2.0e5)),
                 ..case()
             };
-            let mut demand = Demand::new(&case, true, Vec::new(), &HandChecks::default());
+            let mut demand = Demand::new(&case, Vec::new(), &HandChecks::default());
             demand.component_method = vec![comparison(1.3)];
             case.demand = Some(demand);
             let mut page = String::new();

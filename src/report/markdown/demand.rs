@@ -134,7 +134,7 @@ mod tests {
         let text = |lower: Option<f64>, upper: Option<f64>| {
             let mut case = limit_case(lower, upper);
             let actions = vec![action(40e6), action(-10e6)];
-            case.demand = Some(Demand::new(&case, true, actions, &HandChecks::default()));
+            case.demand = Some(Demand::new(&case, actions, &HandChecks::default()));
             let mut result = ResultFile::new("", 1, Verdict::Undecided);
             result.cases.push(case);
             let mut page = String::new();

@@ -1,7 +1,7 @@
 //! The box at the top of a report: the verdicts by code and by analysis, and the joint verdict with
 //! its reason.
 
-use crate::checks::verdict::Verdict;
+use crate::checks::verdict::{Route, Verdict};
 use crate::checks::{Judgement, Status, Topic};
 use crate::report::markdown::markup::{bold, inline, paragraph, strings, table};
 use crate::report::markdown::report_data::Table;
@@ -22,7 +22,7 @@ pub(crate) fn verdict(page: &mut String, result: &ResultFile) {
         }
         return;
     };
-    paragraph(page, &format!("Verdict: **{}**. {}.", j.verdict.words(), inline(&j.reason)));
+    paragraph(page, &format!("Verdict: **{}**. {}.", j.words(), inline(&j.reason)));
     let columns = strings(["verdict", "", "stands on"]);
     table(page, &Table { columns, rows: rows(j, result) });
     if let Some(step) = next_step(result) {
@@ -31,11 +31,18 @@ pub(crate) fn verdict(page: &mut String, result: &ResultFile) {
 }
 
 fn rows(j: &Judgement, result: &ResultFile) -> Vec<Vec<String>> {
-    let row =
-        |(name, verdict, on): (String, Verdict, String)| vec![name, verdict.words().into(), on];
-    let all = (bold("joint"), j.verdict, "the worse of the two".into());
-    let parts = parts(j, result).map(|(name, verdict, on)| (name.to_owned(), verdict, on));
-    parts.into_iter().chain([all]).map(row).collect()
+    let part = |(name, verdict, on): (&str, Verdict, String)| {
+        vec![name.to_owned(), verdict.words().into(), on]
+    };
+    let on = match (j.verdict, j.route) {
+        (Verdict::Ok, Some(Route::Code)) => "the code's route, which is complete and holds",
+        (Verdict::Ok, _) => "the lower bound, and the checks of what it does not know",
+        (Verdict::NotOk, _) => "what fails: no route overrules it",
+        (Verdict::Undecided, _) => "neither route is complete",
+        (Verdict::None, _) => "no demand at the ultimate limit state",
+    };
+    let all = vec![bold("joint"), j.words().into(), on.into()];
+    parts(j, result).map(part).into_iter().chain([all]).collect()
 }
 
 /// The verdicts by code and by analysis: name, verdict, and what it stands on.
@@ -70,35 +77,23 @@ pub(crate) fn parts(j: &Judgement, result: &ResultFile) -> [(&'static str, Verdi
     [("by code", j.by_code, code), ("by analysis", j.by_analysis, analysis)]
 }
 
-/// What brings the user further; `None` where nothing is left to do.
+/// What brings the user further; `None` where nothing is left to do, or where the reason says it.
 pub(crate) fn next_step(result: &ResultFile) -> Option<&'static str> {
-    let j = result.judgement.as_ref()?;
-    let no_rule = || {
+    let j = result.judgement.as_ref().filter(|j| j.verdict == Verdict::NotOk)?;
+    let ruled = || {
         let mut demands = result.cases.iter().filter_map(|c| c.demand.as_ref());
-        demands.any(|d| d.by_analysis == Verdict::Undecided && d.brittle.is_some())
+        demands.all(|d| d.brittle.is_none())
     };
     let fails_only_by_method = || {
         let mut failed = result.checks.iter().filter(|c| c.status == Status::Failed);
         failed.all(|c| c.topic == Topic::ComponentMethod)
     };
-    Some(match (j.verdict, j.by_code, j.by_analysis) {
-        (Verdict::NotOk, _, Verdict::Undecided) if fails_only_by_method() => {
+    let narrower = j.by_analysis == Verdict::Undecided && fails_only_by_method() && ruled();
+    Some(match narrower {
+        true => {
             "narrow the bounds by a finer mesh, more meshes or time, because the component method \
              is information where they decide and no part can buckle; or strengthen what governs"
         }
-        (Verdict::NotOk, ..) => "strengthen what governs, or reduce its load",
-        (Verdict::Undecided, Verdict::Undecided, _) => {
-            "see the undecided check: it says what its clause does not cover"
-        }
-        (Verdict::Undecided, _, Verdict::Undecided) if no_rule() => {
-            "make the plate thinner or the bolts stronger until a rule of rotation capacity \
-             holds, or leave out limit analysis: `kind: elastic`, and the component method decides"
-        }
-        (Verdict::Undecided, _, Verdict::Undecided) => {
-            "narrow the bounds: more meshes or time (`max_passes`, `time_limit`), or a finer mesh \
-             (a smaller `--size-factor`)"
-        }
-        (Verdict::Undecided, ..) => "run a limit analysis (`kind: limit`)",
-        _ => return None,
+        false => "strengthen what governs, or reduce its load",
     })
 }

@@ -112,9 +112,9 @@ fn grid(table: &Table, words: &Words) -> Grid {
 }
 
 fn verdict(result: &ResultFile, words: &Words) -> VerdictBox {
-    let word = words.say(result.verdict.words());
     let tone = result.verdict.into();
     let Some(j) = &result.judgement else {
+        let word = words.say(result.verdict.words());
         let reason = match result.verdict {
             Verdict::NotOk => "A check that needs no load fails.",
             _ => "No load is a demand on the joint: only actions at member ends are.",
@@ -127,7 +127,7 @@ fn verdict(result: &ResultFile, words: &Words) -> VerdictBox {
     };
     let next = |step: &str| sentence(&words.say(&format!("Next step: {step}.")));
     VerdictBox {
-        word,
+        word: words.say(j.words()),
         tone,
         reason: pieces(&words.say(&format!("{}.", j.reason))),
         parts: parts(j, result).into_iter().map(part).collect(),
