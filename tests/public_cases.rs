@@ -1,6 +1,8 @@
 //! Inputs of `tests/cases` that people gave the program, and further ones of the same kinds. Each
 //! is answered by the compiled program as a user gets it.
 
+#[path = "public_cases/annexes.rs"]
+mod annexes;
 #[path = "public_cases/answer.rs"]
 mod answer;
 #[path = "cli/bench.rs"]
@@ -24,6 +26,8 @@ mod outside_range;
 mod real_ends;
 #[path = "public_cases/units.rs"]
 mod units;
+#[path = "public_cases/welds.rs"]
+mod welds;
 
 use answer::Answer;
 

@@ -11,10 +11,11 @@ use super::small_actions::SmallActions;
 use super::strength::Strength;
 use super::template::{EndPlateEntry, Template};
 use crate::catalog::{BoltGrade, BoltSize, IProfile};
-use crate::spec::code::PryingRule;
+use crate::spec::code::{FySource, PryingRule};
 use crate::spec::connection::{BoltCategory, ConnectionSpec, MemberSpec};
 use crate::spec::expr::{Expr, ExprError};
 use crate::spec::loads::LoadSpec;
+use crate::spec::welds::WeldSpec;
 use serde::Serialize;
 
 /// Cut-off of a stiffener beyond the root radius \[mm\], where the template gives none. Source:
@@ -132,6 +133,14 @@ pub struct EndPlate {
     pub unseen: Vec<(String, String)>,
     /// True if prying forces are assumed to develop whatever the length of the bolts.
     pub always_prying: bool,
+    /// How the fillet welds are made.
+    #[serde(skip_serializing_if = "WeldSpec::is_default")]
+    pub welds: WeldSpec,
+    /// National annex, as the catalogue names it; `None`: the recommended values.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub annex: Option<String>,
+    /// Table that the yield strengths come from.
+    pub fy_source: FySource,
     /// Partial factors.
     #[serde(flatten)]
     pub factors: PartialFactors,
@@ -349,6 +358,9 @@ pub(super) fn end_plate(
         mu: inputs.mu,
         unseen: unseen(spec, entry, small),
         always_prying: spec.code.prying == PryingRule::Always,
+        welds: spec.welds,
+        annex: inputs.annex().map(str::to_owned),
+        fy_source: spec.code.fy_source,
         factors: inputs.partial_factors(),
     }))
 }

@@ -82,6 +82,19 @@ pub enum AssemblyError {
         /// Description of the fault.
         problem: String,
     },
+    /// A fillet weld of a steel for which the code has no correlation factor.
+    #[error(
+        "{what} of {grade}, for which EN 1993-1-8 Table 4.1 has no β_w: no analysis can give them \
+         a strength"
+    )]
+    NoWeldStrength {
+        /// Path in the spec.
+        path: String,
+        /// The parameter with the throat, in words.
+        what: String,
+        /// Grade of the weaker part joined.
+        grade: String,
+    },
     /// The bolts of the geometry differ from those of `hand_checks`.
     #[error("`{at}` of the template is not what is meshed: {problem}")]
     UnseenBolts {
@@ -163,6 +176,16 @@ impl From<AssemblyError> for Diagnostic {
                     .path("template")
                     .help("correct the template file; templates/README.md explains its language")
             }
+            AssemblyError::NoWeldStrength { path, grade, .. } => Diagnostic::input(
+                "spec/weld-strength",
+                message,
+            )
+            .path(path)
+            .help(format!(
+                "`bracket check` leaves these welds undecided and checks the rest; or give β_w: \
+                     a row for {grade} under a name of its own with `beta_w`, in a table that \
+                     `catalog:` names (catalogs/README.md)"
+            )),
             AssemblyError::UnseenBolts { help, .. } => {
                 Diagnostic::input("template/hand-checks", message).path("template").help(help)
             }

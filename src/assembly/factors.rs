@@ -9,6 +9,9 @@ use serde::Serialize;
 /// Allowed range of a partial factor.
 const RANGE: std::ops::RangeInclusive<f64> = 0.5..=3.0;
 
+/// Basis of the row that stands for the code itself.
+const RECOMMENDED: &str = "recommended";
+
 /// All partial factors of one spec, in the order of the standard.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct PartialFactors {
@@ -31,6 +34,8 @@ pub struct PartialFactors {
 pub struct FactorsOfSpec {
     /// The values.
     pub values: PartialFactors,
+    /// The national annex, as the catalogue names it; `None` for the recommended values.
+    pub annex: Option<String>,
     /// Each factor with its origin, for the list of resolved values.
     pub resolved: Vec<Resolved>,
     /// Factors below the recommended values, one sentence each. Possible causes: a typing error or
@@ -78,7 +83,7 @@ impl FactorsOfSpec {
                     (None, Some(_), Some(a)) => {
                         format!("annex {} ({}; {})", a.annex, a.standard, a.basis)
                     }
-                    (None, None, Some(a)) if a.basis != "recommended" => {
+                    (None, None, Some(a)) if a.basis != RECOMMENDED => {
                         format!(
                             "recommended ({}); the row of annex {} leaves it out: check the annex",
                             recommended.standard, a.annex
@@ -105,7 +110,8 @@ impl FactorsOfSpec {
             gamma_m3_ser: factor("gamma_M3_ser", code.gamma_m3_ser, |a| a.gamma_m3_ser),
             gamma_m7: factor("gamma_M7", code.gamma_m7, |a| a.gamma_m7),
         };
-        Self { values, resolved, low }
+        let annex = annex.filter(|a| a.basis != RECOMMENDED).map(|a| a.annex.clone());
+        Self { values, annex, resolved, low }
     }
 }
 
@@ -182,7 +188,7 @@ mod tests {
             ("{gamma_M3ser: 1.1}", "code.gamma_M3ser", "did you mean `gamma_M3_ser`?"),
             ("{gamma_m1: 1.1}", "code.gamma_m1", "did you mean `gamma_M1`?"),
             ("{annex: XX}", "code.annex", "national annex `XX` is not in the catalogue"),
-            ("{annex: XX}", "code.annex", "(known: recommended, UK, DE, FR, NL, NO)"),
+            ("{annex: XX}", "code.annex", "(known: recommended, UK, DE, FR, NL, NO, AT, BE,"),
             ("{annex: recomended}", "code.annex", "did you mean `recommended`?"),
             ("{annex: [DE]}", "code.annex", "expected a text"),
         ] {

@@ -226,6 +226,11 @@ impl<'a> Inputs<'a> {
         out
     }
 
+    /// The national annex of the spec, as the catalogue names it; `None` for the recommended values.
+    pub fn annex(&self) -> Option<&str> {
+        self.factors.annex.as_deref()
+    }
+
     /// The partial factors.
     pub fn partial_factors(&self) -> PartialFactors {
         self.factors.values

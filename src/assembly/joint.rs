@@ -46,6 +46,10 @@ pub struct Joint {
     /// Load cases in which nothing acts, of which there is no model.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub idle: Vec<Idle>,
+    /// Fillet welds of steels without β_w. They are left out of `assembly`, which no analysis may
+    /// use then.
+    #[serde(skip)]
+    pub welds_without_strength: Vec<Diagnostic>,
 }
 
 /// A template with its origin, read once for all the specs that use it.
@@ -124,7 +128,7 @@ pub fn build_from(
     let small = SmallActions::new(&spec.value, template, &inputs, &scope, &ends).map_err(alone)?;
     let context =
         Context { spec: &spec.value, template, inputs: &inputs, scope: &scope, small: &small };
-    let (assembly, moved) = assembly(&context).map_err(alone)?;
+    let (assembly, moved, without_strength) = assembly(&context).map_err(alone)?;
     let bolts = context.bolt_lines().map_err(alone)?;
     let (actions, frames) = match &template.hand_checks {
         Some(entry) => {
@@ -158,6 +162,7 @@ pub fn build_from(
         bolts,
         neglected: small.neglected,
         idle: small.idle,
+        welds_without_strength: without_strength.into_iter().map(&one).collect(),
     })
 }
 
@@ -194,9 +199,11 @@ fn note_of_ledges(largest: f64) -> String {
     )
 }
 
-/// All parts, interfaces, supports, loads and symmetry planes of a joint, and how far its plates
-/// were moved to close ledges \[mm\].
-fn assembly(context: &Context<'_>) -> Result<(Assembly, Option<f64>), AssemblyError> {
+/// All parts, interfaces, supports, loads and symmetry planes of a joint, how far its plates were
+/// moved to close ledges \[mm\], and the welds that no steel gives a strength.
+fn assembly(
+    context: &Context<'_>,
+) -> Result<(Assembly, Option<f64>, Vec<AssemblyError>), AssemblyError> {
     let bolts = context.bolts()?;
     let mut holes: BTreeMap<&str, Vec<Hole>> = BTreeMap::new();
     for b in &bolts {
@@ -246,7 +253,7 @@ fn assembly(context: &Context<'_>) -> Result<(Assembly, Option<f64>), AssemblyEr
     let name = context.spec.project.title.clone().unwrap_or_else(|| context.template.title.clone());
     let clearances = context.clearances()?;
     let symmetry = Vec::new();
-    let welds = context.welds()?;
+    let (welds, without_strength) = context.welds()?;
     for w in &welds {
         w.between.iter().try_for_each(|p| known("welds", p))?;
     }
@@ -266,5 +273,5 @@ fn assembly(context: &Context<'_>) -> Result<(Assembly, Option<f64>), AssemblyEr
     };
     let moved = ledges::close(&mut a);
     a.symmetry = symmetry::planes(&a);
-    Ok((a, moved))
+    Ok((a, moved, without_strength))
 }

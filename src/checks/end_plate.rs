@@ -28,7 +28,9 @@ mod hole_checks;
 mod joint_checks;
 mod joint_stiffness;
 mod load_cases;
+mod loaded_welds;
 mod member_end;
+mod national_annex;
 mod outside_range;
 mod parts_list;
 mod rotation_rules;
@@ -38,6 +40,7 @@ mod stiffener_checks;
 mod transformation;
 mod tying;
 mod weld_checks;
+mod weld_lengths;
 mod welded_steel;
 mod welds_list;
 
@@ -64,6 +67,8 @@ pub fn hand_checks(e: &EndPlate) -> HandChecks {
     out.checks.extend(tying::tying(e));
     out.checks.extend(assumptions::assumptions(e));
     out.checks.extend(assumptions::no_weld_strength(e));
+    out.checks.extend(weld_lengths::rule(e));
+    out.checks.extend(national_annex::checks(e));
     out.checks.extend(assumptions::unseen_loads(e));
     out.notes.extend(component_tables::left_out(e));
     let senses = component_tables::senses(e, &mut out);

@@ -157,6 +157,7 @@ fn example(template: &Template, name: &str) -> ConnectionSpec {
         plate: None,
         bolts: None,
         parameters: Default::default(),
+        welds: Default::default(),
         friction: Default::default(),
         loads: template.starter_load.iter().cloned().collect(),
         polygon: None,

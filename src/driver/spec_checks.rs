@@ -11,7 +11,10 @@ use crate::spec::yaml::Parsed;
 /// All checks of a spec for these kinds of analysis; `kinds` is empty for the hand checks alone.
 pub fn check_input(input: &SpecFile, kinds: &[AnalysisKind]) -> Result<(), Diagnostics> {
     check_loads(&input.spec, kinds)?;
-    check_preload(input, kinds)
+    match input.joint.welds_without_strength.first().filter(|_| !kinds.is_empty()) {
+        Some(weld) => Err(weld.clone().into()),
+        None => check_preload(input, kinds),
+    }
 }
 
 /// The checks of names and sizes of loads.

@@ -9,6 +9,7 @@ use super::code::Code;
 use super::friction::FrictionSpec;
 use super::loads::LoadSpec;
 use super::polygon::PolygonSpec;
+use super::welds::WeldSpec;
 use crate::units::{self, Force, INVALID_QUANTITY, Kind, Length, Moment};
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize, de};
@@ -50,6 +51,13 @@ pub struct ConnectionSpec {
         skip_serializing_if = "BTreeMap::is_empty"
     )]
     pub parameters: BTreeMap<String, ParameterValue>,
+    /// How the fillet welds are made.
+    #[serde(
+        default,
+        deserialize_with = "null_is_default",
+        skip_serializing_if = "WeldSpec::is_default"
+    )]
+    pub welds: WeldSpec,
     /// Friction on contact surfaces.
     #[serde(default, deserialize_with = "null_is_default")]
     pub friction: FrictionSpec,

@@ -7,6 +7,7 @@ pub mod expr;
 pub mod friction;
 pub mod loads;
 pub mod polygon;
+pub mod welds;
 pub mod yaml;
 
 pub use connection::ConnectionSpec;

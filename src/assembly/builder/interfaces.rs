@@ -4,6 +4,8 @@ use super::context::Context;
 use crate::assembly::assembly::{InterfaceRule, WeldRule};
 use crate::assembly::error::AssemblyError;
 use crate::assembly::evaluate::{entry_fault, identifier, rectangle, within};
+use crate::assembly::scope::path_of;
+use crate::assembly::template::WeldEntry;
 
 impl Context<'_> {
     /// The contacts listed in the template.
@@ -22,9 +24,12 @@ impl Context<'_> {
         Ok(out)
     }
 
-    /// The welds with a throat above zero.
-    pub(in crate::assembly) fn welds(&self) -> Result<Vec<WeldRule>, AssemblyError> {
-        let mut out = Vec::new();
+    /// The welds with a throat above zero, and a fault for each whose steels have no β_w: no
+    /// analysis can give it a strength.
+    pub(in crate::assembly) fn welds(
+        &self,
+    ) -> Result<(Vec<WeldRule>, Vec<AssemblyError>), AssemblyError> {
+        let (mut out, mut without) = (Vec::new(), Vec::new());
         for w in &self.template.welds {
             let at = w.name.as_str();
             for s in within(at, self.scope.turns(&w.each, w.when.as_ref()))? {
@@ -46,17 +51,8 @@ impl Context<'_> {
                 let weaker = steels[0].weaker(&steels[1]);
                 let gamma_m2 = self.inputs.partial_factors().gamma_m2;
                 let Some(strength) = weaker.weld_strength(gamma_m2) else {
-                    return Err(AssemblyError::Value {
-                        path: "parameters".into(),
-                        problem: format!(
-                            "`{name}` is a fillet weld, for which {} has no β_w (EN 1993-1-8 \
-                             Table 4.1)",
-                            weaker.grade
-                        ),
-                        help: "take a throat of 0 mm (full penetration), or a steel with β_w: \
-                               `bracket catalog list steels`"
-                            .into(),
-                    });
+                    without.push(self.no_strength(w, &weaker.grade));
+                    continue;
                 };
                 let surface = rectangle(at, &s, &w.face)?;
                 out.push(WeldRule {
@@ -70,6 +66,17 @@ impl Context<'_> {
                 });
             }
         }
-        Ok(out)
+        Ok((out, without))
+    }
+
+    /// The fault of a fillet weld of a steel without β_w, at the parameter that gives its throat.
+    fn no_strength(&self, weld: &WeldEntry, grade: &str) -> AssemblyError {
+        let is_parameter = |n: &&str| self.template.parameters.iter().any(|p| p.name == *n);
+        let names = weld.throat.names();
+        let (path, what) = match names.into_iter().find(is_parameter) {
+            Some(name) => (path_of(name), format!("`{name}` gives fillet welds")),
+            None => ("template".into(), format!("`{}` is a fillet weld", weld.name)),
+        };
+        AssemblyError::NoWeldStrength { path, what, grade: grade.into() }
     }
 }

@@ -15,6 +15,27 @@ use crate::checks::worked::Worked;
 /// Force of a row over F_t,Rd of one bolt above which the rows below stay elastic, 6.2.7.2(9).
 const NEARLY_BOLTS: f64 = 1.9;
 
+/// Largest force of a row that stays elastic beside the rows above \[N\], and the rule; the row
+/// has the lever arm `lever`.
+///
+/// `F_tr,Rd ≤ F_tx,Rd h_r/h_x` below every row x with more than 1.9 F_t,Rd; with the triangular
+/// limit, below the outermost row whatever its force.
+///
+/// # Source
+/// EN 1993-1-8:2005 6.2.7.2(9), formula 6.26; the UK annex, NA.2.7, for the outermost row.
+pub(super) fn elastic_limit(
+    joint: &EndPlateJoint,
+    above: &[RowForce],
+    lever: f64,
+) -> Option<(f64, &'static str)> {
+    let of = |x: &RowForce| x.grouped * lever / x.lever;
+    let near = above.iter().filter(|x| x.nearly_bolts(joint.bolts.tension));
+    let near = near.map(|x| (of(x), "6.2.7.2(9), lever arms"));
+    let outermost = above.first().filter(|_| joint.triangular);
+    let outermost = outermost.map(|x| (of(x), "UK NA.2.7, triangular limit"));
+    near.chain(outermost).reduce(|a, b| if b.0 < a.0 { b } else { a })
+}
+
 /// A component that the rows `first..=row` share; rows are counted from 0.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Group {
@@ -45,7 +66,7 @@ pub struct RowForce {
     pub limited_by: String,
     /// The mode of the T-stub that limits it, if one does.
     pub mode: Option<Mode>,
-    /// Whether 6.2.7.2(9) reduces it.
+    /// Whether 6.2.7.2(9), or the UK annex's rule in its place, reduces it.
     pub elastic: bool,
 }
 
@@ -186,12 +207,9 @@ pub fn assess(joint: &EndPlateJoint) -> Result<Assessment, CheckError> {
             }
         }
         let mut elastic = false;
-        for above in &found {
-            if above.nearly_bolts(joint.bolts.tension) {
-                let proportional = above.grouped * rows.lever[r] / above.lever;
-                elastic |= proportional < limit.force;
-                limit.lower(proportional, || "6.2.7.2(9), lever arms".into(), None);
-            }
+        if let Some((proportional, rule)) = elastic_limit(joint, &found, rows.lever[r]) {
+            elastic = proportional < limit.force;
+            limit.lower(proportional, || rule.into(), None);
         }
         // the forces of the rows in a group do not depend on compression: once compression limits a
         // row, nothing remains for the rows below

@@ -5,7 +5,7 @@
 //! flanges and the web of the beam have a resistance, and the largest factor on M and N together is
 //! the solution of a linear program. Its row forces are in equilibrium with M and N.
 
-use super::assembly::{RowForce, assess};
+use super::assembly::{assess, elastic_limit};
 use super::beam;
 use super::compressed_zone::{CompressedZone, beyond, compressed_width, zone};
 use super::joint::{Column, EndPlateJoint};
@@ -168,8 +168,7 @@ impl RowSet {
         let compression = Some(Compression::new(joint, found.beam_moment.value, shear_area));
         let panel = found.panel.as_ref().map(|p| p.value / joint.beta);
         let elastic = found.rows.iter().enumerate().map(|(r, row)| {
-            let above = found.rows[..r].iter().filter(|a| a.nearly_bolts(joint.bolts.tension));
-            above.map(|a: &RowForce| a.grouped * row.lever / a.lever).fold(f64::INFINITY, f64::min)
+            elastic_limit(joint, &found.rows[..r], row.lever).map_or(f64::INFINITY, |l| l.0)
         });
         let elastic = elastic.collect();
         let mut limits = Vec::new();

@@ -137,6 +137,10 @@ pub struct EndPlateJoint {
     pub gamma_m0: f64,
     /// γ_M1.
     pub gamma_m1: f64,
+    /// True: no row may have more than its share of a triangle from the centre of compression to
+    /// the outermost row, NA.2.7 of the UK annex.
+    #[serde(default)]
+    pub triangular: bool,
 }
 
 impl EndPlateJoint {

@@ -70,6 +70,7 @@ fn sci() -> EndPlateJoint {
         young: 210_000.0,
         gamma_m0: 1.0,
         gamma_m1: 1.0,
+        triangular: false,
     }
 }
 
@@ -86,6 +87,7 @@ pub(super) fn one_sided() -> EndPlateJoint {
         young: 210_000.0,
         gamma_m0: 1.0,
         gamma_m1: 1.0,
+        triangular: false,
     }
 }
 

@@ -27,7 +27,8 @@ pub(super) fn no_weld_strength(e: &EndPlate) -> Vec<Check> {
         .map(|(_, steel, part)| {
             let (clause, title) = ("EN 1993-1-8:2005 Table 4.1", "strength of fillet welds");
             let why = format!(
-                "Table 4.1 has no β_w for {}: its fillet welds have no strength by this code",
+                "Table 4.1 has no β_w for {}: its fillet welds have no strength by this code; a \
+                 row with β_w in a table of your own (catalog) gives them one",
                 steel.grade
             );
             Check::undecided(Topic::Welds, part, clause, title, why)

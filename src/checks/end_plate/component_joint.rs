@@ -3,6 +3,7 @@
 use super::bolt_checks::bolt_tension;
 use super::clamped_plates::{WASHERS, grip};
 use super::doubler::{doubler_fault, doubler_width};
+use super::national_annex;
 use crate::assembly::EndPlate;
 use crate::checks::component_method::joint::{Beam, Bolts, Column, EndPlateJoint, Plate};
 use crate::checks::eurocode::bolt_length;
@@ -52,5 +53,6 @@ pub(super) fn component_joint(e: &EndPlate, beta: f64) -> EndPlateJoint {
         young: e.beam_steel.e,
         gamma_m0: e.factors.gamma_m0,
         gamma_m1: e.factors.gamma_m1,
+        triangular: national_annex::triangular(e),
     }
 }

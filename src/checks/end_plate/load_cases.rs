@@ -8,6 +8,7 @@ use super::comparison::Comparison;
 use super::hand_checks::HandChecks;
 use super::joint_checks::{self, MOMENT_AND_AXIAL};
 use super::joint_stiffness::PureMoment;
+use super::loaded_welds;
 use super::member_end::{LoadedEnd, MemberEnd, subject};
 use super::sense::Sense;
 use super::slip_checks::slip;
@@ -66,7 +67,7 @@ pub(super) fn checks(e: &EndPlate, out: &mut HandChecks) {
             found.extend(stability);
             found.extend(BoltForces::new(&loaded).checks());
             found.extend(joint_checks::panel(&end));
-            found.extend(weld_checks::under_load(e, a));
+            found.extend(loaded_welds::under_load(e, a));
             found.extend(weld_checks::tension_zone(&loaded));
             found.extend(stiffeners(&loaded));
             found.extend(doubler_welds(&end));

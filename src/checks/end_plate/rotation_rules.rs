@@ -1,6 +1,7 @@
 //! Rotation capacity of a joint: whether its rows may reach their plastic forces side by side, as
 //! limit analysis assumes.
 
+use super::national_annex;
 use super::sense::Sense;
 use crate::assembly::{ColumnSide, EndPlate};
 use crate::checks::check::{Check, Status, Unit, within};
@@ -26,12 +27,12 @@ struct PartRules {
     part: &'static str,
     /// EN 1993-1-8 6.4.2(2).
     by_code: Check,
-    /// UK practice.
-    by_practice: Check,
+    /// NA.2.7 of the UK annex; `None` with any other annex.
+    by_annex: Option<Check>,
 }
 
 /// The rules of rotation capacity for end plate and column flange: one that holds makes the joint
-/// ductile. Those of 6.4.2 apply to S235, S275 and S355, to axial forces up to 5 % of N_pl,Rd
+/// ductile. That of the UK annex applies with this annex alone. Those of 6.4.2 apply to S235, S275 and S355, to axial forces up to 5 % of N_pl,Rd
 /// (6.4.2(1)) and to a part whose bending limits a row (6.4.2(2)).
 pub(super) struct RotationRules {
     parts: Vec<PartRules>,
@@ -42,25 +43,20 @@ pub(super) struct RotationRules {
 impl RotationRules {
     /// The rules for an end plate.
     pub fn new(e: &EndPlate) -> Self {
-        let (d, fub) = (e.bolt.d, e.grade.fub);
-        let plate = ("end plate", Clamped { d, fub, thickness: e.thickness, fy: e.plate_steel.fy });
-        let flange = |c: &ColumnSide| {
-            ("column flange", Clamped { d, fub, thickness: c.section.tf, fy: c.steel.fy })
-        };
-        let parts = [plate].into_iter().chain(e.column.as_ref().map(flange));
-        let rules = |(part, c)| PartRules {
+        let rules = |(part, c): (&'static str, Clamped)| PartRules {
             part,
             by_code: rotation_capacity(part, &c),
-            by_practice: plastic_distribution(part, &c),
+            by_annex: national_annex::is_uk(e).then(|| plastic_distribution(part, &c)),
         };
-        Self { parts: parts.map(rules).collect(), not_covered: not_covered(e) }
+        Self { parts: clamped(e).map(rules).collect(), not_covered: not_covered(e) }
     }
 
     /// Whether a rule holds where the bending of these parts limits a row.
     fn hold(&self, bending: &[&str]) -> bool {
         self.parts.iter().any(|p| {
             let by_code = self.not_covered.is_none() && bending.contains(&p.part);
-            (by_code && p.by_code.status == Status::Ok) || p.by_practice.status == Status::Ok
+            let by_annex = p.by_annex.as_ref().is_some_and(|c| c.status == Status::Ok);
+            (by_code && p.by_code.status == Status::Ok) || by_annex
         })
     }
 
@@ -92,7 +88,7 @@ impl RotationRules {
                 by_code.formula += &format!("; {why}");
                 by_code.status = Status::Warning;
             }
-            [by_code, p.by_practice.clone()]
+            [by_code].into_iter().chain(p.by_annex.clone())
         };
         self.parts.iter().flat_map(rules).collect()
     }
@@ -112,6 +108,16 @@ impl RotationRules {
             each.join("; ")
         )
     }
+}
+
+/// End plate and column flange with their bolts.
+pub(super) fn clamped(e: &EndPlate) -> impl Iterator<Item = (&'static str, Clamped)> {
+    let (d, fub) = (e.bolt.d, e.grade.fub);
+    let plate = ("end plate", Clamped { d, fub, thickness: e.thickness, fy: e.plate_steel.fy });
+    let flange = move |c: &ColumnSide| {
+        ("column flange", Clamped { d, fub, thickness: c.section.tf, fy: c.steel.fy })
+    };
+    [plate].into_iter().chain(e.column.as_ref().map(flange))
 }
 
 /// Reason why 6.4.2 does not cover the joint: its steels or its axial force.

@@ -8,13 +8,14 @@ use super::component_joint::component_joint;
 use super::doubler::doubler_fault;
 use super::member_end::{LoadedEnd, MemberEnd};
 use super::transformation::{beta, other_ends};
+use super::weld_lengths;
 use super::welded_steel;
 use crate::assembly::{ColumnSide, EndPlate, Way};
 use crate::checks::check::{Check, Status, Topic, Unit, largest, number as n, within};
 use crate::checks::component_method::assembly::Group;
 use crate::checks::component_method::column_web::compressed_thickness;
 use crate::checks::component_method::{Assessment, Summed, assess};
-use crate::checks::eurocode::welds::{full_strength_throat, least_size, simplified};
+use crate::checks::eurocode::welds::{LineForce, either_method, full_strength_throat, least_size};
 use crate::checks::worked::Worked;
 use std::f64::consts::SQRT_2;
 
@@ -87,7 +88,7 @@ pub(super) fn stiffeners(loaded: &LoadedEnd<'_>) -> Vec<Check> {
         out.push(check);
         shares.push(share);
     }
-    out.extend(stiffener_welds(loaded, c, &shares, beta));
+    out.extend(stiffener_welds(loaded, &s, &shares, beta));
     out
 }
 
@@ -185,62 +186,81 @@ fn tension(
 }
 
 /// Fillet welds of the stiffeners: to the flange of the column for the force of the stiffeners, to
-/// its web for the share β of it that no beam on the other side balances.
+/// its web for the share β of it that no beam on the other side balances. The stiffeners can bring
+/// no more than they yield with.
 ///
 /// # Source
-/// EN 1993-1-8:2005 4.5.3.3, 4.5.1(1) for the effective length; four welds, one on either side of
-/// each stiffener, two where the column ends with the stiffeners.
+/// EN 1993-1-8:2005 4.5.3.1(1), 4.5.1(1) for the effective length; four welds, one on either side
+/// of each stiffener, two where the column ends with the stiffeners.
 fn stiffener_welds(
     loaded: &LoadedEnd<'_>,
-    c: &ColumnSide,
+    s: &Stiffeners<'_>,
     shares: &[Share],
     beta: f64,
 ) -> Vec<Check> {
-    let (a, mut out) = (c.stiffener_throat, Vec::new());
-    let Some(steel) = welded_steel::of_the_column(loaded.end.e, c).filter(|_| a > 0.0) else {
+    let (e, c, mut out) = (loaded.end.e, s.c, Vec::new());
+    let a = c.stiffener_throat;
+    let Some(steel) = welded_steel::of_the_column(e, c).filter(|_| a > 0.0) else {
         return out;
     };
-    let flange = 0.5 * (c.section.b - c.section.tw) - c.stiffener_clip - 2.0 * a;
-    let web = c.section.h - 2.0 * (c.section.tf + c.stiffener_clip) - 2.0 * a;
-    let seams = |s: &Share| 2.0 * seams(loaded.end.e, c, s.level);
-    let all = |count: f64, force: f64, length: f64, formula: &str, subject: String| {
-        // compared as forces, so that welds without any effective length fail
-        let each = simplified(a, &steel);
-        let formula = format!(
-            "{formula}; {}; F_Rd = {} l_eff F_w,Rd = {} · {} · {}",
+    let (flange, web) = (
+        weld_lengths::run(e, s.contact(), a),
+        weld_lengths::run(e, c.section.h - 2.0 * (c.section.tf + c.stiffener_clip), a),
+    );
+    let full = full_strength_throat(c.stiffener, c.steel.fy, s.gamma_m0, &steel);
+    let seams = |share: &Share| 2.0 * seams(e, c, share.level);
+    // compared as forces, so that welds without any effective length fail
+    let all = |count: f64, (force, words): (f64, String), across: bool, place: String| {
+        let length = if across { &flange } else { &web };
+        let l = length.value.max(0.0);
+        let line = if l > 0.0 { force / (count * l) } else { 0.0 };
+        let line = match across {
+            true => LineForce { across: line, along: 0.0 },
+            false => LineForce { across: 0.0, along: line },
+        };
+        let each = either_method(line, a, &steel);
+        let (mut value, mut clause) = (count * l * each.value, each.clause);
+        let mut formula = format!(
+            "{words}; {}; {}; F_Rd = {} l_eff F_w,Rd = {} · {} · {}",
+            length.formula,
             each.formula,
             n(count),
             n(count),
-            n(length),
+            n(length.value),
             n(each.value)
         );
+        // full strength by a weld on either side of each stiffener
+        let both_sides = across && l > 0.0 && within(4.0, count);
+        if both_sides && !within(force, value) && within(full.value, a) {
+            (value, clause) = (s.resistance(), "EN 1993-1-8:2005 6.2.3(4)");
+            formula += &format!("; a = {} mm ≥ {}: F_Rd = A_net f_y/γ_M0", n(a), full.formula);
+        }
         let title = "fillet welds of the column stiffeners";
-        let worked =
-            Worked::new(each.clause, title, count * length * each.value, Unit::Force, formula);
-        worked.against(Topic::Welds, subject, force, Status::Failed)
+        let worked = Worked::new(clause, title, value, Unit::Force, formula);
+        worked.against(Topic::Welds, place, force, Status::Failed)
     };
-    for s in shares {
-        out.push(all(
-            seams(s),
-            s.force,
-            flange,
-            &s.formula,
-            loaded.place(&format!("{} to the column flange", s.side)),
-        ));
+    // a stiffener brings no more than its net section carries
+    let brought = |share: &Share| {
+        let most = s.resistance();
+        let words = match within(share.force, most) {
+            true => share.formula.clone(),
+            false => format!("{}, at most {}", share.formula, s.formula()),
+        };
+        (share.force.min(most), words)
+    };
+    for share in shares {
+        let place = loaded.place(&format!("{} to the column flange", share.side));
+        out.push(all(seams(share), brought(share), true, place));
     }
     // the pair with the largest force on a seam
-    let per = |s: &Share| s.force / seams(s);
-    if let Some(s) = largest(shares, |s| per(s)) {
-        let formula = format!("F_Ed = β F = {} · {}", n(beta), Unit::Force.show(s.force));
-        out.push(all(
-            seams(s),
-            beta * s.force,
-            web,
-            &formula,
-            loaded.place(&format!("{} to the column web", s.side)),
-        ));
+    if let Some(share) = largest(shares, |s| s.force / seams(s)) {
+        let (force, _) = brought(share);
+        let words = format!("F_Ed = β F = {} · {}", n(beta), Unit::Force.show(force));
+        let place = loaded.place(&format!("{} to the column web", share.side));
+        out.push(all(seams(share), (beta * force, words), false, place));
     }
-    out.extend(least_size(&loaded.place("column stiffeners"), a, flange.min(web)));
+    let shorter = flange.value.min(web.value);
+    out.extend(least_size(&loaded.place("column stiffeners"), a, shorter));
     out
 }
 
@@ -280,14 +300,18 @@ pub(super) fn doubler_welds(end: &MemberEnd<'_>) -> Vec<Check> {
     let other: f64 = other_ends(e, end.a).map(|o| o.at(1.0)[1][1]).sum();
     let panel = PanelShear::new(e, end.a, other, end.assessment.stiffness.lever);
     let shear = panel.demand;
-    let flow = shear * c.section.tw / area;
-    let mut worked = simplified(a, &steel);
+    // the plate brings no more than it yields with
+    let most = c.doubler * c.steel.fy / (3f64.sqrt() * e.factors.gamma_m0);
+    let flow = (shear * c.section.tw / area).min(most);
+    let mut worked = either_method(LineForce { across: 0.0, along: flow }, a, &steel);
     worked.formula = format!(
-        "{}; F_w,Ed = V_wp,Ed (b_s t_wc/A_vc)/b_s = {} · {}/{}; {}",
+        "{}; F_w,Ed = min(V_wp,Ed (b_s t_wc/A_vc)/b_s, t_s f_y/(√3 γ_M0)) = min({} · {}/{}, {}); \
+         {}",
         panel.formula,
         Unit::Force.show(shear),
         n(c.section.tw),
         n(area),
+        Unit::ForcePerLength.show(most),
         worked.formula
     );
     worked.clause = "EN 1993-1-8:2005 6.2.6.1, 4.5.3.3";

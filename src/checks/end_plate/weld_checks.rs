@@ -1,17 +1,18 @@
-//! Welds of the beam: under the actions, beside the rows in tension, and the strength they need so
-//! as not to limit the joint.
+//! Welds of the beam beside the rows in tension, and the strength they need so as not to limit the
+//! joint.
 
+use super::loaded_welds::{flange_resistance, flange_strength, web_yields};
 use super::member_end::LoadedEnd;
 use super::sense::Sense;
+use super::weld_lengths;
 use super::welded_steel;
-use crate::assembly::{EndPlate, PlaneActions};
+use crate::assembly::EndPlate;
 use crate::checks::check::{Check, Status, Topic, Unit, largest, number as n, within};
 use crate::checks::component_method::Assessment;
 use crate::checks::eurocode::welds::{
-    across_and_along, directional, full_strength_throat, least_size, simplified, transverse,
+    LineForce, across_and_along, directional, full_strength_throat,
 };
 use crate::checks::worked::Worked;
-use std::f64::consts::SQRT_2;
 
 /// Throats of double fillet welds that are as strong as flange and web of the beam.
 pub(super) fn full_strength_throats(e: &EndPlate) -> Vec<Check> {
@@ -23,49 +24,6 @@ pub(super) fn full_strength_throats(e: &EndPlate) -> Vec<Check> {
                 .information(Topic::Welds, part)
         })
         .collect()
-}
-
-/// Fillet welds under the actions of a load case: those of the flanges take moment and axial force,
-/// those of the web the shear force.
-pub(super) fn under_load(e: &EndPlate, a: &PlaneActions) -> Vec<Check> {
-    let (b, mut out) = (&e.beam, Vec::new());
-    let Some(steel) = welded_steel::of_the_beam(e) else { return out };
-    let [[axial, vy, vz], [_, my, _]] = a.at(1.0);
-    if e.flange_throat > 0.0 {
-        let subject = format!("{}, beam flange", a.end);
-        let length = flange_run(e);
-        let force = my.abs() / (b.h - b.tf) + 0.5 * axial.max(0.0);
-        let mut worked = simplified(e.flange_throat, &steel).with("l_eff", length, Unit::Length);
-        worked.formula = format!(
-            "F_w,Ed = (|My|/(h − t_f) + N/2)/l_eff = ({} + {})/{}; {}",
-            Unit::Force.show(my.abs() / (b.h - b.tf)),
-            Unit::Force.show(0.5 * axial.max(0.0)),
-            Unit::Length.show(length),
-            worked.formula
-        );
-        out.push(worked.against(Topic::Welds, subject.clone(), force / length, Status::Failed));
-        out.extend(least_size(&subject, e.flange_throat, b.b - 2.0 * e.flange_throat));
-    }
-    if e.web_throat > 0.0 {
-        let subject = format!("{}, beam web", a.end);
-        let length = web_run(e);
-        let force = vz.hypot(vy);
-        let mut worked = simplified(e.web_throat, &steel).with("l_eff", length, Unit::Length);
-        worked.formula = format!(
-            "F_w,Ed = V/(2 l_eff) = {}/(2 · {}); {}",
-            Unit::Force.show(force),
-            Unit::Length.show(length),
-            worked.formula
-        );
-        out.push(worked.against(
-            Topic::Welds,
-            subject.clone(),
-            0.5 * force / length,
-            Status::Failed,
-        ));
-        out.extend(least_size(&subject, e.web_throat, length));
-    }
-    out
 }
 
 /// A stretch of the welds of the beam web, and the rows whose force it takes.
@@ -93,32 +51,56 @@ fn stretches(a: &Assessment, run: f64) -> Vec<Stretch> {
     out
 }
 
-/// Effective length of each of the two welds of the beam web \[mm\].
-fn web_run(e: &EndPlate) -> f64 {
-    e.beam.h - 2.0 * (e.beam.tf + e.beam.r) - 2.0 * e.web_throat
-}
-
 /// The stretch of the welds of the beam web with the largest utilisation, under row forces \[N\]
-/// and a shear force over the whole web \[N\].
+/// and a shear force over the whole web \[N\]. The web can bring no more than it yields with; what
+/// is beyond it goes through the flange, whose welds are checked for the whole moment.
 fn web_welds(
     e: &EndPlate,
     a: &Assessment,
     force: impl Fn(usize) -> f64,
     shear: f64,
 ) -> Option<(Stretch, Worked)> {
-    let (throat, run) = (e.web_throat, web_run(e));
+    let (throat, length) = (e.web_throat, weld_lengths::web(e));
+    let run = length.value;
     let steel = welded_steel::of_the_beam(e).filter(|_| throat > 0.0 && run > 0.0)?;
-    let parallel = shear / (2.0 * throat * run);
+    let most = e.beam.tw * e.beam_steel.fy / e.factors.gamma_m0;
     let each = stretches(a, run).into_iter().map(|s| {
         let pull: f64 = (s.first..=s.last).map(&force).sum();
-        let mut worked = directional(&across_and_along(pull, s.width, throat, parallel), &steel);
+        let whole = LineForce { across: 0.5 * pull / s.width, along: 0.5 * shear / run };
+        let (line, part) = web_yields(whole, 0.5 * most);
+        let (capped, parallel) = (2.0 * line.across * s.width, line.along / throat);
+        let mut worked = directional(&across_and_along(capped, s.width, throat, parallel), &steel);
+        let mut bound = String::new();
+        if part < 1.0 {
+            let yields = match shear == 0.0 {
+                true => format!(
+                    "the web brings b_eff t_w f_y/γ_M0 = {} · {} · {}/{} = {}",
+                    n(s.width),
+                    n(e.beam.tw),
+                    n(e.beam_steel.fy),
+                    n(e.factors.gamma_m0),
+                    Unit::Force.show(capped)
+                ),
+                false => format!(
+                    "the web yields at {} of F and V, √((F/b_eff)² + 3 (V/l_eff)²) ≤ t_w f_y/γ_M0 \
+                     = {}",
+                    n(part),
+                    Unit::ForcePerLength.show(most)
+                ),
+            };
+            bound = format!(
+                "F = {}; {yields}; the rest, {}, goes through the flange; ",
+                Unit::Force.show(pull),
+                Unit::Force.show(pull - capped)
+            );
+        }
         worked.formula = format!(
-            "σ⊥ = τ⊥ = F/(2 √2 a b_eff) = {}/(2 √2 · {} · {}), τ∥ = V/(2 a l_eff) = {}/(2 · {} · \
-             {}); {}",
-            Unit::Force.show(pull),
+            "{bound}σ⊥ = τ⊥ = F/(2 √2 a b_eff) = {}/(2 √2 · {} · {}), τ∥ = V/(2 a l_eff) = {}/(2 · \
+             {} · {}); {}",
+            Unit::Force.show(capped),
             n(throat),
             n(s.width),
-            Unit::Force.show(shear),
+            Unit::Force.show(2.0 * line.along * run),
             n(throat),
             n(run),
             worked.formula
@@ -149,47 +131,6 @@ const NOT_THE_WEAKEST: &str = "EN 1993-1-8:2005 6.2.3(4)";
 const OVERSTRENGTH: [(f64, &str); 2] = [(1.4, "braced frame"), (1.7, "other frames")];
 /// M_j,Rd/M_pl,Rd of the beam from which the plastic hinge forms in the beam, 6.4.1(1).
 const HINGE_IN_BEAM: f64 = 1.2;
-
-/// Resistance of the welds of a flange across it.
-struct FlangeWelds {
-    /// F_Rd \[N\].
-    worked: Worked,
-    /// b t_f f_y/γ_M0, the largest force of the flange \[N\].
-    flange: f64,
-}
-
-/// Resistance by the directional method, `a l_eff f_u/(√2 β_w γ_M2)`. Welds as strong as the
-/// thickness of the flange carry the whole flange.
-fn flange_welds(e: &EndPlate) -> Option<FlangeWelds> {
-    let (b, a) = (&e.beam, e.flange_throat);
-    let flange = b.b * b.tf * e.beam_steel.fy / e.factors.gamma_m0;
-    let steel = welded_steel::of_the_beam(e)?;
-    let full = full_strength_throat(b.tf, e.beam_steel.fy, e.factors.gamma_m0, &steel);
-    let length = flange_run(e);
-    let each = transverse(a, &steel);
-    let along = each.value * length;
-    let (value, formula) = if within(full.value, a) && flange > along {
-        (
-            flange,
-            format!("a = {} mm ≥ {} of full strength; F_Rd = b t_f f_y/γ_M0", n(a), full.formula),
-        )
-    } else {
-        (
-            along,
-            format!("{}; F_Rd = F_w,Rd l_eff = {} · {}", each.formula, n(each.value), n(length)),
-        )
-    };
-    Some(FlangeWelds {
-        worked: Worked::new(NOT_THE_WEAKEST, "", value, Unit::Force, formula),
-        flange,
-    })
-}
-
-/// Effective length of the welds of one flange, outside along its width, inside up to the root
-/// fillets \[mm\].
-fn flange_run(e: &EndPlate) -> f64 {
-    2.0 * e.beam.b - e.beam.tw - 2.0 * e.beam.r - 2.0 * SQRT_2 * e.flange_throat
-}
 
 /// Whether the welds are strong enough that another component limits M_j,Rd; and whether they carry
 /// the overstrength of a plastic hinge that rotates in the joint, which is a warning, because the
@@ -235,7 +176,7 @@ fn of_the_flange(e: &EndPlate, subject: &str, a: &Assessment, otherwise: Status)
     let place = format!("beam flange, {subject}");
     let (joint, lever) = (a.moment.value, e.beam.h - e.beam.tf);
     if e.flange_throat == 0.0 {
-        let strength = e.beam.b * e.beam.tf * e.beam_steel.fy / e.factors.gamma_m0;
+        let strength = flange_strength(e);
         let words =
             "full penetration: as strong as the flange (4.7.1), it limits no joint; b t_f f_y/γ_M0";
         let worked = Worked::new(
@@ -247,10 +188,11 @@ fn of_the_flange(e: &EndPlate, subject: &str, a: &Assessment, otherwise: Status)
         );
         return vec![worked.information(Topic::Welds, place)];
     }
-    let Some(welds) = flange_welds(e) else { return Vec::new() };
+    let Some(welds) = flange_resistance(e, NOT_THE_WEAKEST) else { return Vec::new() };
+    let flange = flange_strength(e);
     let check = |clause, title, (moment, words): (f64, String), otherwise| {
-        let (pull, flange) = (moment / lever, welds.flange);
-        let mut worked = welds.worked.clone();
+        let pull = moment / lever;
+        let mut worked = welds.clone();
         (worked.clause, worked.title) = (clause, title);
         worked.formula = format!(
             "F_Ed = min({words}/(h − t_f), b t_f f_y/γ_M0) = min({}/{}, {}) = {}; {}",

@@ -1,6 +1,6 @@
 //! Fillet welds: EN 1993-1-8:2005 4.5.
 
-use crate::checks::check::{Check, Status, Topic, Unit, number as n};
+use crate::checks::check::{Check, Status, Topic, Unit, number as n, within};
 use crate::checks::worked::Worked;
 
 /// Least throat of a fillet weld \[mm\], EN 1993-1-8:2005 4.5.2(2).
@@ -47,16 +47,10 @@ pub fn directional(stress: &ThroatStress, steel: &WeldedSteel) -> Worked {
         n(s.sigma_perp.abs()),
         n(normal)
     );
-    Worked::new(
-        "EN 1993-1-8:2005 4.5.3.2(6)",
-        "fillet weld, directional method",
-        value,
-        Unit::Number,
-        formula,
-    )
-    .with("σ_eq", equivalent, Unit::Stress)
-    .with("f_u/(β_w γ_M2)", allowed, Unit::Stress)
-    .with("0.9 f_u/γ_M2", normal, Unit::Stress)
+    Worked::new("EN 1993-1-8:2005 4.5.3.2(6)", DIRECTIONAL, value, Unit::Number, formula)
+        .with("σ_eq", equivalent, Unit::Stress)
+        .with("f_u/(β_w γ_M2)", allowed, Unit::Stress)
+        .with("0.9 f_u/γ_M2", normal, Unit::Stress)
 }
 
 /// Stresses of the two fillet welds of a plate under a force across the plate's end, `length` of
@@ -87,13 +81,7 @@ pub fn simplified(throat: f64, steel: &WeldedSteel) -> Worked {
         n(steel.beta_w),
         n(steel.gamma_m2)
     );
-    Worked::new(
-        "EN 1993-1-8:2005 4.5.3.3",
-        "fillet weld, simplified method",
-        value,
-        Unit::ForcePerLength,
-        formula,
-    )
+    Worked::new("EN 1993-1-8:2005 4.5.3.3", SIMPLIFIED, value, Unit::ForcePerLength, formula)
 }
 
 /// Design resistance of a fillet weld per length under a force across it by the directional method
@@ -115,6 +103,69 @@ pub fn transverse(throat: f64, steel: &WeldedSteel) -> Worked {
     );
     let title = "fillet weld across the force, directional method";
     Worked::new("EN 1993-1-8:2005 4.5.3.2(6)", title, value, Unit::ForcePerLength, formula)
+}
+
+/// Force per length of a fillet weld between a plate and the part that it stands on \[N/mm\].
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LineForce {
+    /// Across the weld, in the plane of the plate or normal to it; ≥ 0.
+    pub across: f64,
+    /// Along the weld; ≥ 0.
+    pub along: f64,
+}
+
+impl LineForce {
+    /// F_w,Ed, the resultant \[N/mm\].
+    pub fn resultant(self) -> f64 {
+        self.across.hypot(self.along)
+    }
+}
+
+/// Title of a fillet weld that the simplified method decides.
+pub const SIMPLIFIED: &str = "fillet weld, simplified method";
+/// Title of a fillet weld that the directional method decides, because the simplified one fails.
+pub const DIRECTIONAL: &str = "fillet weld, directional method";
+
+/// Design resistance of a fillet weld per length against the resultant of a force \[N/mm\], by
+/// either method: the simplified one where it suffices, else the directional one. The formula has
+/// both.
+///
+/// `F_w,Rd = F_w,Ed a f_u/(β_w γ_M2)/√(2 F_⊥² + 3 F_∥²)` by the directional method, with σ⊥ = τ⊥ =
+/// F_⊥/(√2 a) and τ∥ = F_∥/a.
+///
+/// # Source
+/// EN 1993-1-8:2005 4.5.3.1(1): the method of 4.5.3.2 or that of 4.5.3.3 may be used.
+pub fn either_method(force: LineForce, throat: f64, steel: &WeldedSteel) -> Worked {
+    let (plain, resultant) = (simplified(throat, steel), force.resultant());
+    let by_direction = if force.along == 0.0 {
+        transverse(throat, steel)
+    } else {
+        let across = force.across / (2f64.sqrt() * throat);
+        let stress =
+            ThroatStress { sigma_perp: across, tau_perp: across, tau_par: force.along / throat };
+        let value = resultant / directional(&stress, steel).value;
+        let formula = format!(
+            "F_w,Rd = F_w,Ed a f_u/(β_w γ_M2 √(2 F_⊥² + 3 F_∥²)) = {} · {} · {}/({} · {} · √(2 · \
+             {}² + 3 · {}²))",
+            n(resultant),
+            n(throat),
+            n(steel.fu),
+            n(steel.beta_w),
+            n(steel.gamma_m2),
+            n(force.across),
+            n(force.along)
+        );
+        Worked::new("", "", value, Unit::ForcePerLength, formula)
+    };
+    let (title, value, clause) = if within(resultant, plain.value) {
+        (SIMPLIFIED, plain.value, "EN 1993-1-8:2005 4.5.3.3")
+    } else {
+        (DIRECTIONAL, by_direction.value, "EN 1993-1-8:2005 4.5.3.2(6)")
+    };
+    let formula = format!("{} (4.5.3.3); {} (4.5.3.2)", plain.formula, by_direction.formula);
+    Worked { clause, title, formula, steps: Vec::new(), value, unit: Unit::ForcePerLength }
+        .with("F_w,Rd, 4.5.3.3", plain.value, Unit::ForcePerLength)
+        .with("F_w,Rd, 4.5.3.2", by_direction.value, Unit::ForcePerLength)
 }
 
 /// Throat of each of two fillet welds that are as strong as the plate between them in tension

@@ -30,7 +30,8 @@ fn clause_4_5_3_3_welds_with_a_throat() {
 
 /// A row below the flange acts on b_eff of the welds of the web. By hand, from the force of its
 /// table: F/(2 √2 · 4 · b_eff), no more of b_eff than the weld is long, 300 − 2 (10.7 + 15) − 8 =
-/// 240.6 mm; 40 kN of shear make 40e3/(2 · 4 · 240.6) = 20.78 MPa. Beyond M_j,Rd it grows further.
+/// 240.6 mm; 40 kN of shear make 40e3/(2 · 4 · 240.6) = 20.78 MPa. Beyond M_j,Rd it grows further,
+/// until the web yields: the throat of full strength is 7.1 · 235/(√2 · 360) = 3.2773 mm.
 #[test]
 fn clause_4_5_3_2_web_weld_beside_the_rows_in_tension() {
     let title = "web weld beside the rows in tension, directional method";
@@ -52,9 +53,16 @@ fn clause_4_5_3_2_web_weld_beside_the_rows_in_tension() {
     near(step(&check, "σ_eq"), want, 1e-3);
     near(used(&check), want / 360.0, 1e-3);
     // without shear force it is in proportion to the moment, beyond M_j,Rd as well
-    let [one, ten] = [40.0, 400.0].map(|my| used(&of(my, 0.0).1));
-    near(ten, 10.0 * one, 1e-9);
-    assert!(of(400.0, 0.0).1.status == if ten > 1.0 { Status::Failed } else { Status::Ok });
+    let [one, four, ten] = [40.0, 160.0, 400.0].map(|my| used(&of(my, 0.0).1));
+    near(four, 4.0 * one, 1e-9);
+    near(ten, 3.2773 / 4.0, 1e-4);
+    assert!(10.0 * one > 1.0 && of(400.0, 0.0).1.formula.contains("goes through the flange"));
+    // a weaker weld than the web fails
+    let load = "{name: A, end: beam_right, at: bolt_plane, My: 400 kN m}";
+    let weak = checks(&joint("flange_weld: 6, web_weld: 3", load));
+    let weak = find(&weak, "beam_right, beam web, row", title);
+    near(used(weak), 3.2773 / 3.0, 1e-4);
+    assert_eq!(weak.status, Status::Failed);
     // butt welds have no such check
     let none = loaded("{name: A, end: beam_right, at: bolt_plane, My: 40 kN m}");
     assert!(none.checks.iter().all(|c| c.title != title));
