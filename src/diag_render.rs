@@ -1,9 +1,10 @@
 //! Output of faults: for people with the line and a caret under the place, for programs as JSON.
 
 use crate::diag::{Diagnostic, Diagnostics, Place, visible};
+use crate::text_file;
 use annotate_snippets::{AnnotationKind, Level, Origin, Renderer, Snippet};
 use std::fs::File;
-use std::io::{BufRead, BufReader, Read};
+use std::io::{BufRead, BufReader, Cursor, Read};
 
 /// Lines shown before the faulty one.
 const CONTEXT: usize = 1;
@@ -100,7 +101,10 @@ fn excerpt(place: &Place) -> Option<Excerpt> {
     if line == 0 || !file.metadata().ok()?.is_file() {
         return None;
     }
-    let mut reader = BufReader::new(File::open(file).ok()?.take(READ_LIMIT));
+    let mut reader: Box<dyn BufRead> = match text_file::utf16_of(file) {
+        Some(text) => Box::new(Cursor::new(text)),
+        None => Box::new(BufReader::new(File::open(file).ok()?.take(READ_LIMIT))),
+    };
     let first_line = line.saturating_sub(CONTEXT).max(1);
     let (mut kept, mut bytes) = (Vec::new(), Vec::new());
     for number in 1..=line {
@@ -109,7 +113,10 @@ fn excerpt(place: &Place) -> Option<Excerpt> {
             return None;
         }
         if number >= first_line {
-            let text = String::from_utf8_lossy(&bytes).trim_end_matches(['\n', '\r']).to_string();
+            let text = String::from_utf8_lossy(&bytes);
+            // the byte-order mark of UTF-8 is no character of the first line
+            let text =
+                text.trim_start_matches('\u{feff}').trim_end_matches(['\n', '\r']).to_string();
             kept.push(if text.len() > LONGEST_LINE && number < line { "…".into() } else { text });
         }
     }

@@ -5,6 +5,8 @@
 //! with line and byte, because guessing the encoding would put wrong letters into names that must
 //! match.
 
+pub mod foreign;
+
 use crate::diag::Diagnostic;
 use std::fs::File;
 use std::io::Read;
@@ -30,6 +32,10 @@ pub fn read(
         let help = "specs have some kB; divide a table, or name the right file";
         return Err(Diagnostic::input("file/size", message).file(path).help(help).into());
     }
+    if let Some(what) = foreign::of_bytes(&bytes) {
+        let table = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("csv"));
+        return Err(if table { no_table(what, path) } else { not_ours(what, path) }.into());
+    }
     decode(bytes).map_err(|fault| {
         let d = Diagnostic::input("file/encoding", fault.problem).file(path).help(HELP);
         match fault.at {
@@ -38,6 +44,34 @@ pub fn read(
         }
         .into()
     })
+}
+
+/// The fault of a file of another program in place of a spec, model or sweep.
+pub fn not_ours(what: &str, path: &Path) -> Diagnostic {
+    let help = "Bracket reads YAML; `bracket new TEMPLATE -o FILE` writes a starter";
+    Diagnostic::input("file/kind", format!("this is {what}, not a spec")).file(path).help(help)
+}
+
+/// The fault of a file of another program in place of a table.
+fn no_table(what: &str, path: &Path) -> Diagnostic {
+    let help = "Bracket reads CSV: save the sheet as `CSV UTF-8`, comma separated";
+    Diagnostic::input("file/kind", format!("this is {what}, not a table")).file(path).help(help)
+}
+
+/// The text of a UTF-16 file with its byte-order mark; `None` for every other file.
+pub fn utf16_of(path: &Path) -> Option<String> {
+    let mut bytes = Vec::new();
+    let mut file = regular(path).ok()?.take(LARGEST);
+    file.by_ref().take(2).read_to_end(&mut bytes).ok()?;
+    let unit = match bytes[..] {
+        [0xff, 0xfe] => u16::from_le_bytes,
+        [0xfe, 0xff] => u16::from_be_bytes,
+        _ => return None,
+    };
+    bytes.clear();
+    file.read_to_end(&mut bytes).ok()?;
+    let units = bytes.chunks_exact(2).map(|pair| unit([pair[0], pair[1]]));
+    Some(char::decode_utf16(units).map(|c| c.unwrap_or(char::REPLACEMENT_CHARACTER)).collect())
 }
 
 /// Reads a regular file. A device or a pipe is refused, because it may have no end.

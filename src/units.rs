@@ -5,6 +5,7 @@
 //! have a suffix, because a moment in the wrong unit is the costliest typing error.
 
 mod dim;
+pub mod limits;
 mod parse;
 mod typed;
 

@@ -20,6 +20,8 @@ mod shear_across;
 #[path = "public_cases/small_actions.rs"]
 mod small_actions;
 
+#[path = "public_cases/given_input.rs"]
+mod given_input;
 #[path = "public_cases/outside_range.rs"]
 mod outside_range;
 #[path = "public_cases/real_ends.rs"]

@@ -3,6 +3,7 @@
 
 use super::actions::PlaneActions;
 use super::column_ends::ColumnEnds;
+use super::content::NotChecked;
 use super::error::AssemblyError;
 use super::factors::PartialFactors;
 use super::inputs::Inputs;
@@ -16,6 +17,7 @@ use crate::spec::connection::{BoltCategory, ConnectionSpec, MemberSpec};
 use crate::spec::expr::{Expr, ExprError};
 use crate::spec::loads::LoadSpec;
 use crate::spec::welds::WeldSpec;
+use crate::units::limits;
 use serde::Serialize;
 
 /// Cut-off of a stiffener beyond the root radius \[mm\], where the template gives none. Source:
@@ -118,6 +120,12 @@ pub struct EndPlate {
     pub bending_length: f64,
     /// System length of the beam, if the spec gives it.
     pub system_length: Option<f64>,
+    /// Thickness that the bolts clamp, that of further plates under head or nut included; the
+    /// largest, if they differ.
+    pub grip: f64,
+    /// What the geometry has and the checks do not cover.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub not_checked: Vec<NotChecked>,
     /// Actions on the plates, one entry per load case and member end.
     pub actions: Vec<PlaneActions>,
     /// Preload of a bolt \[N\]; `None`: the bolts are not preloaded.
@@ -190,7 +198,7 @@ fn longitudinal(
     // the tables give cm² and cm⁴
     let stress =
         (-axial / (1e2 * section.area) + moment.abs() * root / (1e4 * section.i_y)).max(0.0);
-    if stress <= steel.fy {
+    if limits::at_most(stress, steel.fy) {
         return Ok(Some(stress));
     }
     let key = if m.n_ed.is_some() { "N_Ed" } else { "M_Ed" };
@@ -259,7 +267,7 @@ pub(super) fn end_plate(
     let length = |key: &'static str, e: &Expr, least: Option<f64>| {
         let value = named(key, scope.length(e))?;
         match least {
-            Some(least) if value < least => {
+            Some(least) if !limits::at_least(value, least) => {
                 let limit = if least == f64::MIN_POSITIVE {
                     "above 0".into()
                 } else {
@@ -331,6 +339,7 @@ pub(super) fn end_plate(
             })
         }
     };
+    let column_flange = column.as_ref().map(|c: &ColumnSide| c.section.tf);
     Ok(Some(EndPlate {
         beam_steel: inputs.strength(spec, &role(&entry.beam), beam.tf)?,
         plate_steel: inputs.strength(spec, &entry.steel, thickness)?,
@@ -346,6 +355,9 @@ pub(super) fn end_plate(
         outer_gauge: or_none("outer_gauge", &entry.outer_gauge)?,
         rows,
         hole: length("hole", &entry.hole, Some(bolt.d))?,
+        // the geometry says more
+        grip: thickness + column_flange.unwrap_or(thickness),
+        not_checked: Vec::new(),
         rib: or_none("rib", &entry.rib)?,
         rib_throat: or_none("rib_throat", &entry.rib_throat)?,
         flange_throat: or_none("flange_throat", &entry.flange_throat)?,

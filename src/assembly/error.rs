@@ -3,6 +3,7 @@
 use crate::catalog::CatalogError;
 use crate::diag::Diagnostic;
 use crate::spec::expr::ExprError;
+use crate::spec::later;
 use crate::spec::yaml::PlaceIndex;
 
 /// A fault of a spec, or of a template.
@@ -47,6 +48,24 @@ pub enum AssemblyError {
         value: String,
         /// Allowed range.
         range: String,
+    },
+    /// A default outside its range, because of a value that the spec gives.
+    #[error("`{name}` is {value} by its default `{default}`; allowed: {range}{because}")]
+    DefaultOutOfRange {
+        /// Path in the spec of a value that default or range follow from, or of the parameter.
+        path: String,
+        /// Path of the parameter itself.
+        own: String,
+        /// Name of the parameter.
+        name: String,
+        /// Its value.
+        value: String,
+        /// The expression of its default.
+        default: String,
+        /// Allowed range.
+        range: String,
+        /// The given values that default and range follow from, in words.
+        because: String,
     },
     /// A name that the catalogue does not contain, or a value that it cannot give.
     #[error("{cause}")]
@@ -153,9 +172,10 @@ impl From<AssemblyError> for Diagnostic {
                     .path(path)
             }
             AssemblyError::Unknown { path, known, .. } => {
-                Diagnostic::input("spec/unknown-name", message)
-                    .path(path)
-                    .help(format!("known here: {known}"))
+                let name = path.rsplit('.').next().unwrap_or_default();
+                let help = later::not_in_this_edition(name)
+                    .map_or_else(|| format!("known here: {known}"), later::help);
+                Diagnostic::input("spec/unknown-name", message).path(path).help(help)
             }
             AssemblyError::Value { path, help, .. } => {
                 Diagnostic::input("spec/value", message).path(path).help(help)
@@ -164,6 +184,11 @@ impl From<AssemblyError> for Diagnostic {
                 Diagnostic::input("spec/range", message)
                     .path(path)
                     .help(format!("choose a value in the range: {range}"))
+            }
+            AssemblyError::DefaultOutOfRange { path, own, range, .. } => {
+                Diagnostic::input("spec/range", message)
+                    .path(path)
+                    .help(format!("change that value, or give `{own}` in the range: {range}"))
             }
             AssemblyError::Catalog { path, cause } => {
                 Diagnostic { message, ..Diagnostic::from(*cause) }.path(path)

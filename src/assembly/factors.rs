@@ -4,6 +4,7 @@ use super::error::AssemblyError;
 use super::scope::Resolved;
 use crate::catalog::{Catalog, NationalAnnex};
 use crate::spec::code::Code;
+use crate::units::limits;
 use serde::Serialize;
 
 /// Allowed range of a partial factor.
@@ -61,7 +62,7 @@ impl FactorsOfSpec {
                 let Ok(recommended) = recommended else { return 1.0 };
                 let set = annex.and_then(of_annex);
                 let value = given.or(set).unwrap_or(recommended.value);
-                if !RANGE.contains(&value) {
+                if !limits::within(value, &RANGE) {
                     let (path, name, value) = (path.clone(), path.clone(), value.to_string());
                     faults.push(AssemblyError::OutOfRange {
                         path,
@@ -70,7 +71,7 @@ impl FactorsOfSpec {
                         range: "0.5 to 3".into(),
                     });
                 }
-                if value < recommended.value {
+                if !limits::at_least(value, recommended.value) {
                     low.push(format!(
                         "{name} = {value} is below the recommended {}: resistances are larger \
                          than by EN 1993",

@@ -12,6 +12,7 @@ use crate::catalog::{BoltGrade, BoltSize, Catalog, CatalogError, IProfile, Steel
 use crate::diag::{AtLeastOne, did_you_mean};
 use crate::spec::connection::{ConnectionSpec, PreloadSpec};
 use crate::spec::expr::Value;
+use crate::units::limits;
 use std::collections::BTreeMap;
 
 /// Young's modulus and Poisson's ratio of bolts (EN 1993-1-1, 3.2.6) \[MPa\].
@@ -332,7 +333,7 @@ fn preload(
         });
     }
     let most = thread_yields(size, grade);
-    if force > 0.0 && force <= most {
+    if force > 0.0 && limits::at_most(force, most) {
         return Ok(Some(force));
     }
     Err(AssemblyError::OutOfRange {

@@ -3,6 +3,8 @@
 use super::actions;
 use super::assembly::{Assembly, Part};
 use super::builder::{BoltLine, Context};
+use super::content::Content;
+use super::coverage;
 use super::end_plate::{EndPlate, end_plate};
 use super::error::AssemblyError;
 use super::evaluate::{entry_fault, rules, within};
@@ -38,6 +40,8 @@ pub struct Joint {
     /// Notes on the input that the report must contain.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub notes: Vec<String>,
+    /// What it is made of.
+    pub content: Content,
     /// Lines of action of the bolts whose nuts are in contact.
     pub bolts: Vec<BoltLine>,
     /// Actions at member ends that are neglected, in model and checks.
@@ -139,11 +143,14 @@ pub fn build_from(
         }
         None => Default::default(),
     };
-    let end_plate =
+    let mut end_plate =
         end_plate(&spec.value, template, (&inputs, &scope), &small, actions).map_err(alone)?;
-    if let Some(seen) = &end_plate {
+    let mut content = context.content().map_err(alone)?;
+    if let (Some(seen), Some(entry)) = (&mut end_plate, &template.hand_checks) {
         context.all_seen(&assembly, &frames, seen).map_err(alone)?;
+        coverage::compare(&mut content, &assembly, &frames, entry, seen);
     }
+    content.seams = coverage::seams(&content, &assembly);
     let mut resolved = resolved;
     resolved.extend(inputs.preload_resolved(&spec.value));
     resolved.push(inputs.friction_resolved(&spec.value));
@@ -159,6 +166,7 @@ pub fn build_from(
             .chain(moved.map(note_of_ledges))
             .chain(small.notes())
             .collect(),
+        content,
         bolts,
         neglected: small.neglected,
         idle: small.idle,

@@ -114,13 +114,21 @@ impl Placed<'_> {
         x
     }
 
+    /// Both flanges and the web over the whole length.
+    pub fn blocks(&self) -> [[[f64; 2]; 3]; 3] {
+        let p = self.profile;
+        let (b, h, w, f) = (p.b / 2.0, p.h / 2.0, p.tw / 2.0, p.h / 2.0 - p.tf);
+        [([-b, b], [f, h]), ([-b, b], [-h, -f]), ([-w, w], [-f, f])]
+            .map(|(across, deep)| self.block(across, deep))
+    }
+
     /// Flanges, web and wedges of the fillets, with the holes left free.
     pub fn convex(&self, holes: &[Hole]) -> Vec<Solid> {
         let p = self.profile;
-        let (b, h, w, f, r) = (p.b / 2.0, p.h / 2.0, p.tw / 2.0, p.h / 2.0 - p.tf, p.r);
+        let (w, f, r) = (p.tw / 2.0, p.h / 2.0 - p.tf, p.r);
         let mut out = Vec::new();
-        for block in [([-b, b], [f, h]), ([-b, b], [-h, -f]), ([-w, w], [-f, f])] {
-            out.extend(perforated(self.block(block.0, block.1), holes));
+        for block in self.blocks() {
+            out.extend(perforated(block, holes));
         }
         for (sw, sd) in [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)] {
             let corner = [sw * w, sd * f];

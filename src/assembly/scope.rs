@@ -1,6 +1,8 @@
 //! Names and their values during evaluation of a template: profiles, bolts, parameters,
 //! definitions, loop variables.
 
+mod causes;
+mod range;
 mod settle;
 
 use super::error::AssemblyError;
@@ -8,6 +10,8 @@ use super::template::{Default, Loop, Parameter, ParameterKind, Template};
 use crate::diag::{AtLeastOne, did_you_mean};
 use crate::spec::expr::{Expr, ExprError, Value};
 use crate::units::Dim;
+use causes::causes;
+use range::Range;
 use settle::{Pending, Values, settle};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -279,13 +283,8 @@ impl Scope {
         for p in &template.parameters {
             let range = match self.limits(p) {
                 Ok((min, max, words)) => {
-                    self.check_range(
-                        p,
-                        min,
-                        max,
-                        words.as_deref().unwrap_or_default(),
-                        &mut faults,
-                    );
+                    let range = Range { min, max, words: words.as_deref().unwrap_or_default() };
+                    self.check_range(p, &range, template, given, &mut faults);
                     words
                 }
                 Err(cause) => {
@@ -293,27 +292,27 @@ impl Scope {
                     None
                 }
             };
-            let show = |name: &str| self.get(name).map_or_else(|e| e, |v| v.to_string());
-            let value = match self.lists.get(&p.name) {
-                None => show(&p.name),
-                Some(n) => {
-                    let each: Vec<String> =
-                        (1..=*n).map(|i| show(&format!("{}.{i}", p.name))).collect();
-                    format!("[{}]", each.join(", "))
-                }
-            };
-            let default = p.default.as_ref().map(|d| match d {
-                Default::One(e) => e.text().to_owned(),
-                Default::Many(list) => {
-                    format!("[{}]", list.iter().map(Expr::text).collect::<Vec<_>>().join(", "))
-                }
-            });
+            let value = self.shown(&p.name);
+            let default = p.default.as_ref().map(Default::text);
             let given = given.contains_key(&p.name);
             let (name, about) = (p.name.clone(), p.about.clone());
             out.push(Resolved { name, value, given, default, range, about, origin: None });
         }
         AtLeastOne::refuse(faults)?;
         Ok(out)
+    }
+
+    /// The value of a parameter as text.
+    fn shown(&self, parameter: &str) -> String {
+        let show = |name: &str| self.get(name).map_or_else(|e| e, |v| v.to_string());
+        match self.lists.get(parameter) {
+            None => show(parameter),
+            Some(n) => {
+                let each: Vec<String> =
+                    (1..=*n).map(|i| show(&format!("{parameter}.{i}"))).collect();
+                format!("[{}]", each.join(", "))
+            }
+        }
     }
 
     pub(super) fn take(&mut self, name: &str, given: &Given) {
@@ -346,18 +345,43 @@ impl Scope {
     fn check_range(
         &self,
         p: &Parameter,
-        min: Option<f64>,
-        max: Option<f64>,
-        range: &str,
+        range: &Range<'_>,
+        template: &Template,
+        given: &BTreeMap<String, Given>,
         faults: &mut Vec<AssemblyError>,
     ) {
         let mut check = |name: String, path: String| {
-            if let Ok(Value::Quantity(q)) = self.get(&name)
-                && (min.is_some_and(|m| q.value < m) || max.is_some_and(|m| q.value > m))
-            {
-                let (value, range) = (show(q.value, q.dim), range.to_owned());
-                faults.push(AssemblyError::OutOfRange { path, name: p.name.clone(), value, range });
+            let Ok(Value::Quantity(q)) = self.get(&name) else { return };
+            if range.holds(q.value) {
+                return;
             }
+            let (name, value) = (p.name.clone(), show(q.value, q.dim));
+            let range = range.words.to_owned();
+            faults.push(match (&p.default, given.contains_key(&p.name)) {
+                (Some(default), false) => {
+                    let causes = causes(template, p, &|name| given.contains_key(name));
+                    let words: Vec<String> = causes
+                        .iter()
+                        .map(|c| format!("`{}` is {}", path_of(c), self.shown(c)))
+                        .collect();
+                    let because = match words.is_empty() {
+                        true => String::new(),
+                        false => format!(" ({})", words.join(", ")),
+                    };
+                    let (own, path) = (path.clone(), causes.first().map_or(path, |c| path_of(c)));
+                    let default = default.text();
+                    AssemblyError::DefaultOutOfRange {
+                        path,
+                        own,
+                        name,
+                        value,
+                        default,
+                        range,
+                        because,
+                    }
+                }
+                _ => AssemblyError::OutOfRange { path, name, value, range },
+            });
         };
         let path = path_of(&p.name);
         match self.lists.get(&p.name) {

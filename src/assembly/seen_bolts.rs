@@ -58,12 +58,18 @@ pub(super) fn check(
              `hand_checks`",
         );
     }
-    for (plate, bolts) in &bolted {
-        let faults: Vec<String> =
-            frames.iter().filter_map(|f| mismatch(f, bolts, &listed)).collect();
-        if faults.len() < frames.len() {
-            continue;
-        }
+    let faults_of = |bolts: &[&Meshed<'_>]| -> Vec<String> {
+        frames.iter().filter_map(|f| mismatch(f, bolts, &listed)).collect()
+    };
+    let all_listed = |bolts: &[&Meshed<'_>]| faults_of(bolts).len() < frames.len();
+    let (end_plates, others): (Vec<_>, Vec<_>) =
+        bolted.iter().partition(|(_, bolts)| all_listed(bolts));
+    // a further plate under some of the bolts of an end plate, for example a backing plate
+    let beside = |bolts: &[&Meshed<'_>]| {
+        bolts.iter().all(|b| end_plates.iter().any(|(p, _)| b.through.contains(p)))
+    };
+    for (plate, bolts) in others.iter().filter(|(_, bolts)| !beside(bolts)) {
+        let faults = faults_of(bolts);
         let rows: Vec<String> = seen.rows.iter().map(f64::to_string).collect();
         let columns: Vec<String> = seen.columns().iter().map(f64::to_string).collect();
         let problem = format!(

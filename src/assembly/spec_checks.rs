@@ -8,7 +8,7 @@ use crate::diag::did_you_mean;
 use crate::spec::analysis::{AnalysisKind, MeshSize};
 use crate::spec::connection::{BoltCategory, ConnectionSpec, PreloadSpec};
 use crate::spec::friction::FrictionLaw;
-use crate::units::Length;
+use crate::units::{Length, limits};
 
 /// Allowed system lengths of members \[mm\].
 const SYSTEM_LENGTHS: std::ops::RangeInclusive<f64> = 100.0..=100e3;
@@ -16,7 +16,7 @@ const SYSTEM_LENGTHS: std::ops::RangeInclusive<f64> = 100.0..=100e3;
 /// Faults of the members: system lengths and forces beside the joint.
 pub(super) fn members(spec: &ConnectionSpec, template: &Template, faults: &mut Vec<AssemblyError>) {
     let lengths = spec.members.iter().filter_map(|(role, m)| Some((role, m.length?.0)));
-    for (role, length) in lengths.filter(|(_, l)| !SYSTEM_LENGTHS.contains(l)) {
+    for (role, length) in lengths.filter(|(_, l)| !limits::within(*l, &SYSTEM_LENGTHS)) {
         faults.push(AssemblyError::Value {
             path: format!("members.{role}.length"),
             problem: format!("a system length of {length} mm; allowed: from 100 mm to 100 m"),
@@ -71,7 +71,7 @@ fn numbers(spec: &ConnectionSpec, faults: &mut Vec<AssemblyError>) {
     };
     let a = &spec.analysis;
     let mu = spec.friction.mu.unwrap_or(0.0);
-    range("friction.mu", mu, (0.0..=2.0).contains(&mu), "0 to 2 (0: frictionless)");
+    range("friction.mu", mu, limits::within(mu, &(0.0..=2.0)), "0 to 2 (0: frictionless)");
     range(
         "analysis.target_gap",
         a.target_gap,
@@ -88,7 +88,12 @@ fn numbers(spec: &ConnectionSpec, faults: &mut Vec<AssemblyError>) {
         "even, 12 to 48",
     );
     if let MeshSize::Fixed(Length(h)) = a.mesh.size {
-        range("analysis.mesh.size", h, (0.5..=1000.0).contains(&h), "0.5 mm to 1000 mm, or `auto`");
+        range(
+            "analysis.mesh.size",
+            h,
+            limits::within(h, &(0.5..=1000.0)),
+            "0.5 mm to 1000 mm, or `auto`",
+        );
     }
     if spec.friction.mu.is_some() && spec.friction.class.is_some() {
         faults.push(AssemblyError::Value {

@@ -3,6 +3,7 @@
 use super::origin::Origin;
 use super::template::Template;
 use crate::diag::{Diagnostic, Diagnostics, did_you_mean};
+use crate::spec::later;
 use crate::spec::yaml::{self, Document, Parsed};
 use crate::text_file;
 use std::path::{Path, PathBuf};
@@ -166,13 +167,10 @@ fn find(
         let hint = did_you_mean(name, SHIPPED.iter().map(|(n, _)| *n));
         let d =
             Diagnostic::input("template/unknown", format!("there is no template `{name}`{hint}"));
-        return Err(d
-            .path("template")
-            .help(
-                "`bracket templates` lists the shipped ones; a path to your own .yaml file works \
-                 too",
-            )
-            .into());
+        let usual = "`bracket templates` lists the shipped ones; a path to your own .yaml file \
+                     works too";
+        let help = later::not_in_this_edition(name).map_or_else(|| usual.to_owned(), later::help);
+        return Err(d.path("template").help(help).into());
     };
     let file = PathBuf::from(format!("templates/{shipped}.yaml"));
     Ok(Source { file, text: (*text).to_owned(), shipped: true })

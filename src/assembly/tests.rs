@@ -232,12 +232,13 @@ fn hole_clearance_is_an_initial_gap_and_keeps_the_geometry() {
 }
 
 #[test]
-fn defaults_alone_make_the_paper_joint() {
+fn defaults_and_stiffeners_make_the_paper_joint() {
     let short = "
 template: double_sided_end_plate
 members: {column: {profile: HE 200 B, steel: S235}, beam: {profile: IPE 360, steel: S235}}
 plate: {thickness: 1.5 cm}
 bolts: {size: M18, grade: 8.8, rows: [-215, -125, 110]}
+parameters: {column_stiffeners: true, column_stiffener_thickness: 12.7}
 friction: {class: C, law: associated}
 loads: [{name: TOP, section: column_top, pressure: 45 N/mm2}]
 ";

@@ -127,7 +127,7 @@ impl Open<'_> {
         let header = &self.plan.header;
         let mut spec = self.kit.spec(&header.expansion, case.index)?;
         title(&mut spec, &case.name);
-        let of_analysis = time_limit(&spec);
+        let of_analysis = time_limit(&spec, &self.kit.file);
         let limits = process_limits(header, of_analysis, self.memory);
         Ok(Job {
             key: case.key.clone(),

@@ -4,6 +4,7 @@
 //! field, the upper one by a mechanism; the component method stands beside them.
 
 use super::dimension::words;
+use super::expansion::typed;
 use super::plan::Plan;
 use super::row::{LoadRow, Outcome, Record};
 use super::screen::Kit;
@@ -13,7 +14,6 @@ use crate::report::figures::{Rounding, fixed};
 use crate::report::markdown::markup::inline;
 use crate::spec::connection::ConnectionSpec;
 use crate::spec::loads::Action;
-use serde::Deserialize;
 
 /// A cell: capacities in kN or kN m.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -92,7 +92,7 @@ pub fn fill(table: &CapacityTable, plan: &Plan, kit: &Kit, records: &[Option<Rec
             continue;
         };
         let spec = kit.spec(expansion, case.index).ok();
-        let spec = spec.and_then(|s| ConnectionSpec::deserialize(&s).ok());
+        let spec = spec.and_then(|s| typed(&s, &kit.file).ok());
         let of_case = |l: &&LoadRow| table.case.as_ref().is_none_or(|name| *name == l.case);
         let load = record.loads.iter().find(of_case);
         let size = spec.zip(load).and_then(|(s, l)| size(&s, &l.case, table.action));

@@ -1,11 +1,11 @@
 //! Forecast of the time that the cases of a plan take.
 
+use super::expansion::typed;
 use super::plan::Plan;
 use super::screen::Kit;
-use crate::spec::connection::ConnectionSpec;
 use rayon::prelude::*;
-use serde::Deserialize;
 use serde_json::Value;
+use std::path::Path;
 
 /// Time of the checks of a case on one core \[s\].
 const CHECKS: f64 = 5e-4;
@@ -19,9 +19,9 @@ const USED: f64 = 0.9;
 /// Start, pictures and report of a case \[s\].
 const AROUND: f64 = 3.0;
 
-/// The time limit of a spec's analysis \[s\].
-pub fn time_limit(spec: &Value) -> Option<f64> {
-    let spec = ConnectionSpec::deserialize(spec).ok()?;
+/// The time limit of the analysis of a spec, read from `file` \[s\].
+pub fn time_limit(spec: &Value, file: &Path) -> Option<f64> {
+    let spec = typed(spec, file).ok()?;
     spec.analysis.time_limit.map(|t| t.0)
 }
 
@@ -37,7 +37,7 @@ pub fn seconds(plan: &Plan, kit: &Kit) -> Vec<f64> {
     if !header.meshes() {
         return vec![checks; plan.cases.len()];
     }
-    let limit = |index: u64| time_limit(&kit.spec(&header.expansion, index).ok()?);
+    let limit = |index: u64| time_limit(&kit.spec(&header.expansion, index).ok()?, &kit.file);
     let one = |index: u64| checks + elements(limit(index));
     let paths = header.expansion.paths();
     if paths.into_iter().any(|p| p.starts_with("analysis")) {

@@ -173,6 +173,6 @@ pub fn first_end<'a>(ends: impl Iterator<Item = &'a Comparison>) -> Option<&'a C
 /// Mass of the end plates, stiffeners and bolts \[kg\], as the report lists them. `None` for a
 /// template without an end plate.
 fn mass(joint: &Joint) -> Option<f64> {
-    let plates = joint.assembly.parts.iter().filter(|p| p.role == PartRole::Plate).count();
-    total_mass(&parts_list(joint.end_plate.as_ref()?, plates))
+    joint.end_plate.as_ref()?;
+    total_mass(&parts_list(&joint.content))
 }

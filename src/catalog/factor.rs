@@ -3,6 +3,7 @@
 use super::error::CatalogError;
 use super::source::Source;
 use super::table::{Columns, Entry, RawTable};
+use crate::units::limits;
 use serde::Serialize;
 
 /// A friction class of faying surfaces.
@@ -173,7 +174,7 @@ impl NationalAnnex {
             .rows()
             .map(|row| {
                 let factor = |column: &str| match row.positive_or_empty(column)? {
-                    Some(g) if !(0.5..=3.0).contains(&g) => {
+                    Some(g) if !limits::within(g, &(0.5..=3.0)) => {
                         Err(row
                             .fault(column, format!("{g}; a partial factor lies between 0.5 and 3")))
                     }

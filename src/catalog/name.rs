@@ -43,6 +43,8 @@ pub fn profile_key(name: &str) -> String {
 /// The key of a bolt grade: `8.8`; `F3125 Grade A325`, `ASTM A325M` → `A325`.
 pub fn bolt_grade_key(name: &str) -> String {
     let flat = astm_key(&normalise(name));
+    // 10.90 is 10.9
+    let flat = flat.parse::<f64>().map_or(flat, |number| number.to_string());
     let flat = flat.strip_prefix("F3125M").or_else(|| flat.strip_prefix("F3125")).unwrap_or(&flat);
     let metric = flat.starts_with('A').then(|| flat.strip_suffix('M')).flatten();
     metric.unwrap_or(flat).to_owned()

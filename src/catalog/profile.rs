@@ -59,7 +59,7 @@ pub struct IProfile {
     /// Warping constant \[cm⁶\], accurate to 5 %; only if the source tabulates it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub i_w: Option<f64>,
-    /// True if the properties were computed from the dimensions instead of read from a table.
+    /// True if properties were computed from the dimensions instead of read from a table.
     pub computed: bool,
     /// File and line of the row.
     pub source: Source,
@@ -71,6 +71,9 @@ pub const PROPERTY_TOLERANCE: f64 = 0.005;
 
 /// The same for the other properties (2 %): tables round them more coarsely.
 pub const COARSE_TOLERANCE: f64 = 0.02;
+
+/// Density of steel \[kg/m³\], EN 1991-1-1 Table A.4 as used in practice.
+const DENSITY: f64 = 7850.0;
 
 /// Difference from which on a row is refused (10 %): a digit or a unit is wrong.
 const CONTRADICTION: f64 = 0.1;
@@ -169,6 +172,19 @@ impl IProfile {
         ]
     }
 
+    /// The property with a number of [`Self::properties`].
+    fn property(&mut self, i: usize) -> &mut f64 {
+        match i {
+            0 => &mut self.area,
+            1 => &mut self.i_y,
+            2 => &mut self.i_z,
+            3 => &mut self.w_el_y,
+            4 => &mut self.w_pl_y,
+            5 => &mut self.w_el_z,
+            _ => &mut self.w_pl_z,
+        }
+    }
+
     /// Relative differences (outline − tabulated)/tabulated of the area and of the second moment of
     /// area about the strong axis.
     pub fn mismatch(&self) -> [f64; 2] {
@@ -198,7 +214,8 @@ impl IProfile {
         let radius = if table.has("r_area_mm") { "r_area_mm" } else { "r_mm" };
         let optional =
             |column| if table.has(column) { row.positive_or_empty(column) } else { Ok(None) };
-        let profile = Self {
+        let filled = |column| row.positive_or_empty(column);
+        let mut profile = Self {
             name: row.text("name")?,
             series: row.text("series")?,
             standard: row.text("standard")?,
@@ -208,14 +225,15 @@ impl IProfile {
             tf: row.positive("tf_mm")?,
             r: row.not_negative(radius)?,
             r_detailing: optional("r_kdes_mm")?,
-            mass: row.positive("mass_kg_per_m")?,
-            area: row.positive("A_cm2")?,
-            i_y: row.positive("Iy_cm4")?,
-            i_z: row.positive("Iz_cm4")?,
-            w_el_y: row.positive("Wel_y_cm3")?,
-            w_pl_y: row.positive("Wpl_y_cm3")?,
-            w_el_z: row.positive("Wel_z_cm3")?,
-            w_pl_z: row.positive("Wpl_z_cm3")?,
+            // what the table leaves empty follows from the outline, below
+            mass: 0.0,
+            area: 0.0,
+            i_y: 0.0,
+            i_z: 0.0,
+            w_el_y: 0.0,
+            w_pl_y: 0.0,
+            w_el_z: 0.0,
+            w_pl_z: 0.0,
             i_t: optional("It_cm4")?,
             i_w: optional("Iw_cm6")?,
             computed: match table.has("props").then(|| row.text("props")).transpose()?.as_deref() {
@@ -240,6 +258,12 @@ impl IProfile {
             let least = profile.tw + 2.0 * profile.r;
             return Err(row.fault("b_mm", format!("{} must exceed tw + 2 r = {least}", profile.b)));
         }
+        for (i, (column, _, outline)) in profile.properties().into_iter().enumerate() {
+            let given = filled(column)?;
+            profile.computed |= given.is_none();
+            *profile.property(i) = given.unwrap_or(outline);
+        }
+        profile.mass = filled("mass_kg_per_m")?.unwrap_or(DENSITY * 1e-4 * profile.area);
         for (column, given, outline) in profile.properties() {
             if (outline / given - 1.0).abs() > CONTRADICTION {
                 return Err(row.fault(

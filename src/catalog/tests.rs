@@ -341,6 +341,37 @@ fn a_user_folder_adds_rows_and_warns_of_odd_sections() {
     );
 }
 
+/// The rows of EN 10365 with all properties left empty get those of the outline, which are the
+/// tabulated ones within their rounding.
+#[test]
+fn empty_properties_follow_from_the_outline() {
+    let builtin = builtin();
+    let tabulated: Vec<&IProfile> =
+        builtin.profiles().iter().filter(|p| !p.computed && p.standard == "EN 10365").collect();
+    assert!(tabulated.len() >= 90, "{}", tabulated.len());
+    let rows = tabulated.iter().map(|p| {
+        format!("MY{},own,drawing,{},{},{},{},{},,,,,,,,\n", p.name, p.h, p.b, p.tw, p.tf, p.r)
+    });
+    let text = format!("{HEAD}{}", rows.collect::<String>());
+    let catalog = merged(&[("own.csv", &text)]).expect("rows without properties");
+    for p in tabulated {
+        let own = catalog.profile(&format!("MY{}", p.name)).expect("added");
+        assert!(own.computed);
+        for ((column, own, _), (_, table, _)) in own.properties().into_iter().zip(p.properties()) {
+            assert!((own / table - 1.0).abs() < 0.005, "{} {column}: {own} {table}", p.name);
+        }
+        // tables give the mass with three figures
+        assert!((own.mass / p.mass - 1.0).abs() < 0.012, "{}: {} {}", p.name, own.mass, p.mass);
+    }
+    // one empty cell among given ones
+    let one = merged(&[("own.csv", &profile_with("Iy_cm4", ""))]).expect("one empty cell");
+    let own = one.profile("MY200").expect("added");
+    assert!((own.i_y - 5696.0).abs() < 0.5 && own.area == 78.1 && own.computed, "{own:?}");
+    // dimensions have no default
+    let d = fault(&[("own.csv", &profile_with("tw_mm", ""))]);
+    assert!(d.message.contains("the cell is empty"), "{}", d.message);
+}
+
 /// The project's own folder is a valid user folder. The shapes that are not used yet are skipped
 /// with a warning.
 #[test]

@@ -1,10 +1,8 @@
 //! The record of one check: clause, formula with its numbers, demand, resistance, utilisation.
 
+use crate::units::limits;
 use serde::{Deserialize, Serialize};
 use std::fmt;
-
-/// Relative slack of a comparison: decimal input such as 1.2 · 20 mm must equal 24 mm.
-const ROUNDING: f64 = 1e-9;
 
 /// What the formula of a check says whose demand or resistance is not finite.
 const NO_NUMBER: &str = "; there is no such number, so that the check does not hold";
@@ -327,7 +325,7 @@ fn comparison(
 /// Every comparison of the checks with a limit of the code is made with this slack, so that a value
 /// given in another unit, or as a product of decimals, is judged like the value itself.
 pub fn within(value: f64, limit: f64) -> bool {
-    value <= limit + ROUNDING * limit.abs()
+    limits::at_most(value, limit)
 }
 
 /// The item with the largest value, the first of those that are equal but for rounding.

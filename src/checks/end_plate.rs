@@ -70,6 +70,7 @@ pub fn hand_checks(e: &EndPlate) -> HandChecks {
     out.checks.extend(weld_lengths::rule(e));
     out.checks.extend(national_annex::checks(e));
     out.checks.extend(assumptions::unseen_loads(e));
+    out.checks.extend(assumptions::not_checked(e));
     out.notes.extend(component_tables::left_out(e));
     let senses = component_tables::senses(e, &mut out);
     let rules = RotationRules::new(e);

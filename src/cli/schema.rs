@@ -1,7 +1,8 @@
 //! `bracket schema`.
 
 use super::common::{CommandResult, Common};
-use crate::assembly::template::Template;
+use crate::assembly::template::{Parameter, ParameterKind, Template};
+use crate::assembly::template_file::{self, SHIPPED};
 use crate::batch::sweep::Sweep;
 use crate::diag::{Diagnostic, Diagnostics, ExitStatus};
 use crate::model::file::ModelFile;
@@ -11,6 +12,7 @@ use crate::spec::yaml::REST;
 use clap::ValueEnum;
 use schemars::JsonSchema;
 use serde_json::{Value, json};
+use std::path::Path;
 
 /// Which input file.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
@@ -50,7 +52,7 @@ pub fn text(kind: Kind) -> Result<String, Diagnostics> {
             .to_value()
     }
     let mut schema = match kind {
-        Kind::Spec => of::<ConnectionSpec>(),
+        Kind::Spec => with_templates(of::<ConnectionSpec>())?,
         Kind::Model => of::<ModelFile>(),
         Kind::Batch => of::<Sweep>(),
         Kind::Template => with_extending(of::<Template>()),
@@ -63,6 +65,73 @@ pub fn text(kind: Kind) -> Result<String, Diagnostics> {
         )
         .into()
     })
+}
+
+/// Keys of a spec that may be left empty.
+const EMPTY: [&str; 7] =
+    ["project", "code", "members", "parameters", "friction", "loads", "analysis"];
+
+/// The schema of a spec, with the members and parameters of each shipped template where the spec
+/// names it.
+fn with_templates(mut schema: Value) -> Result<Value, Diagnostics> {
+    for key in EMPTY {
+        let property = &mut schema["properties"][key];
+        let mut filled = property.take();
+        let about = filled.as_object_mut().and_then(|f| f.remove("description"));
+        *property = json!({"anyOf": [filled, {"type": "null"}]});
+        property["description"] = about.unwrap_or_default();
+    }
+    let mut each = Vec::new();
+    for (name, _) in SHIPPED {
+        let (template, _) = template_file::load(name, Path::new("."))?;
+        let mut parameters = serde_json::Map::new();
+        for p in template.parameters.iter().filter(|p| !p.name.contains('.')) {
+            parameters.insert(p.name.clone(), parameter(p));
+        }
+        let members = template.members.iter().map(|m| {
+            let member = json!({
+                "description": m.about,
+                "allOf": [{"$ref": "#/definitions/MemberSpec"}],
+            });
+            (m.role.clone(), member)
+        });
+        let members: serde_json::Map<String, Value> = members.collect();
+        let only = |properties: serde_json::Map<String, Value>| {
+            json!({
+                "type": ["object", "null"],
+                "properties": properties,
+                "additionalProperties": false,
+            })
+        };
+        each.push(json!({
+            "if": {"properties": {"template": {"const": name}}, "required": ["template"]},
+            "then": {"properties": {"parameters": only(parameters), "members": only(members)}},
+        }));
+    }
+    schema["allOf"] = Value::Array(each);
+    Ok(schema)
+}
+
+/// The schema of a parameter of a template.
+fn parameter(p: &Parameter) -> Value {
+    let mut about = p.about.clone();
+    if let Some(default) = &p.default {
+        about += &format!("; default: {}", default.text());
+    }
+    let mut schema = match p.kind {
+        ParameterKind::Length => json!({"$ref": "#/definitions/Length"}),
+        ParameterKind::Number => json!({"type": "number"}),
+        ParameterKind::Flag => json!({"type": "boolean"}),
+        ParameterKind::Lengths => {
+            json!({"type": "array", "items": {"$ref": "#/definitions/Length"}})
+        }
+    };
+    if schema.get("$ref").is_some() {
+        // beside a reference draft-07 ignores all keys
+        schema = json!({"allOf": [schema]});
+    }
+    schema["description"] = Value::String(about);
+    schema
 }
 
 /// The schema of a template, or of a template that extends another one. In the latter every key
@@ -136,9 +205,7 @@ fn plain(value: &mut Value) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::assembly::template_file::SHIPPED;
     use crate::spec::yaml;
-    use std::path::Path;
 
     #[test]
     fn committed_schemas_are_fresh() {
@@ -173,6 +240,11 @@ mod tests {
                 .pointer(name.trim_start_matches('#'))
                 .unwrap_or_else(|| panic!("{name} leads nowhere"));
             out.extend(refused(value, target, root, at));
+        }
+        if let (Some(condition), Some(then)) = (sub("if"), sub("then"))
+            && refused(value, condition, root, at).is_empty()
+        {
+            out.extend(refused(value, then, root, at));
         }
         for one in sub("allOf").and_then(Value::as_array).into_iter().flatten() {
             out.extend(refused(value, one, root, at));
@@ -278,6 +350,55 @@ mod tests {
                 "the reader lets `{new}` pass"
             );
         }
+    }
+
+    /// Reader and schema accept and refuse the same specs: numbers as names, empty keys, the
+    /// parameters and members of the template.
+    #[test]
+    fn the_schema_of_specs_reads_as_the_program_does() {
+        const SPEC: &str = "template: beam_splice
+project: {number: 12}
+members: {beam: {profile: IPE300, steel: S235}}
+plate: {thickness: 15}
+bolts: {size: M20, grade: \"10.9\", rows: [-90, 90, 190]}
+parameters: {beam_length: 1 m, head_contact: true}
+loads: [{name: 1, end: beam_right, at: bolt_plane, My: 20 kN m}]
+";
+        let schema: Value =
+            serde_json::from_str(&text(Kind::Spec).expect("a schema")).expect("JSON");
+        let catalog = crate::catalog::Catalog::builtin().expect("catalogue");
+        let both = |spec: &str| {
+            let value = yaml::parse::<Value>(spec, Path::new("t.yaml")).expect("YAML").value;
+            let reads = yaml::parse::<ConnectionSpec>(spec, Path::new("t.yaml"))
+                .and_then(|p| crate::assembly::build(&p, Path::new("."), &catalog));
+            (refused(&value, &schema, &schema, ""), reads.map(drop))
+        };
+        for (old, new) in [
+            ("", ""),
+            ("\"10.9\"", "10.9"),
+            ("\"10.9\"", "8.8"),
+            ("{number: 12}", ""),
+            ("{beam_length: 1 m, head_contact: true}", ""),
+            ("1 m,", "1000,"),
+        ] {
+            let (faults, read) = both(&SPEC.replace(old, new));
+            assert!(faults.is_empty() && read.is_ok(), "`{new}`: {faults:?} {read:?}");
+        }
+        for (old, new) in [
+            ("beam_length: 1 m", "beam_lenght: 1 m"),
+            ("beam_length: 1 m", "column_stiffeners: true"),
+            ("beam_length: 1 m", "beam_length: true"),
+            ("head_contact: true", "head_contact: 1"),
+            ("members: {beam:", "members: {girder:"),
+            ("\"10.9\"", "[10.9]"),
+            ("name: 1,", "name: [1],"),
+        ] {
+            let (faults, read) = both(&SPEC.replace(old, new));
+            assert!(!faults.is_empty() && read.is_err(), "`{new}`: {faults:?} {read:?}");
+        }
+        // a template of one's own has parameters of its own
+        let own = SPEC.replace("beam_splice", "mine.yaml").replace("beam_length", "mine");
+        assert!(both(&own).0.is_empty());
     }
 
     #[test]

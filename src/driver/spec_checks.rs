@@ -7,6 +7,7 @@ use crate::spec::analysis::AnalysisKind;
 use crate::spec::connection::ConnectionSpec;
 use crate::spec::loads::LoadSpec;
 use crate::spec::yaml::Parsed;
+use crate::units::limits;
 
 /// All checks of a spec for these kinds of analysis; `kinds` is empty for the hand checks alone.
 pub fn check_input(input: &SpecFile, kinds: &[AnalysisKind]) -> Result<(), Diagnostics> {
@@ -97,7 +98,7 @@ fn check_sizes(spec: &Parsed<ConnectionSpec>) -> Result<(), Diagnostics> {
     for (i, load) in loads.iter().enumerate() {
         for Quantity { key, value, unit, sizes } in quantities(load) {
             let size = value.abs();
-            if size != 0.0 && !sizes.contains(&size) {
+            if size != 0.0 && !limits::within(size, &sizes) {
                 let [least, most] = [sizes.start(), sizes.end()].map(|s| format!("{s:e} {unit}"));
                 let message = format!(
                     "`loads[{i}].{key}` is {value:e} {unit}; allowed: zero, or a size from \

@@ -1,6 +1,6 @@
 //! The context of a connection spec: title block, resolved values, catalogue rows, drawings.
 
-use crate::assembly::assembly::{FaceSupport, PartMaterial, PartRole, Surface};
+use crate::assembly::assembly::{FaceSupport, PartMaterial, Surface};
 use crate::assembly::{Assembly, EndPlate};
 use crate::checks::check::number;
 use crate::checks::end_plate::{moment_axial, parts_list, stocked_length, welds_list};
@@ -10,7 +10,7 @@ use crate::driver::context::RunContext;
 use crate::driver::demands::demands;
 use crate::driver::spec_file::SpecFile;
 use crate::report::draw::contact_map::AXES;
-use crate::report::draw::{drawing, dxf, moment_axial, moment_rotation};
+use crate::report::draw::{drawing, dxf, moment_axial, moment_rotation, parts_drawing};
 use crate::report::markdown::demand::on_planes;
 use crate::report::markdown::report_data::CatalogueRow;
 use crate::report::markdown::report_data::PictureRef;
@@ -67,12 +67,11 @@ pub fn spec_context(
         plane_actions: plane_actions(input),
         rotation: end_plate.map_or_else(Default::default, moment_rotation::Frame::of),
         drawings: drawings(input),
-        plate_dxf: end_plate.map(|e| plate_dxf(e, plates(input), project.language)),
+        plate_dxf: end_plate
+            .map(|e| plate_dxf(e, input.joint.content.end_plates(), project.language)),
         supports: supports(&input.joint.assembly),
-        schedule: end_plate
-            .map_or_else(Default::default, |e| schedule::schedule(&parts_list(e, plates(input)))),
-        welds: end_plate
-            .map_or_else(Default::default, |e| schedule::welds(&welds_list(e, plates(input)))),
+        schedule: schedule::schedule(&parts_list(&input.joint.content)),
+        welds: schedule::welds(&welds_list(end_plate, &input.joint.content)),
         bolts: input.joint.bolts.clone(),
         ..RunContext::default()
     })
@@ -95,18 +94,18 @@ fn as_read(input: &SpecFile) -> ConnectionSpec {
     spec
 }
 
-/// Number of end plates of the joint.
-fn plates(input: &SpecFile) -> usize {
-    input.joint.assembly.parts.iter().filter(|p| p.role == PartRole::Plate).count()
-}
-
-/// Drawings of the dimensions that the hand checks read, and of the actions at the member ends.
+/// Drawings of the joint, with the dimensions that the hand checks read, and of the actions at the
+/// member ends.
 fn drawings(input: &SpecFile) -> Vec<(PictureRef, String)> {
-    let Some(e) = &input.joint.end_plate else { return Vec::new() };
     let picture = |file: &str, caption: &str, text| {
         (PictureRef { file: file.into(), caption: caption.into() }, text)
     };
-    let views = drawing::views(e, plates(input), stocked_length(e));
+    let content = &input.joint.content;
+    let Some(e) = &input.joint.end_plate else {
+        let views = parts_drawing::views(content);
+        return vec![picture("drawing.svg", "Two views of the joint", views)];
+    };
+    let views = drawing::views(e, content, stocked_length(e));
     let mut out =
         vec![picture("drawing.svg", "Side view of the joint, front view of the end plate", views)];
     for (i, diagram) in moment_axial(e).iter().enumerate() {

@@ -79,7 +79,14 @@ fn with_templates(
             let hint = "this looks like a model file: `bracket analyse` reads it";
             return faults.into_first().help(hint).into();
         }
-        faults
+        let what = match () {
+            () if is_json(text) && !yaml::top_level(text, &["template"]) => "a JSON file",
+            () if path.extension().is_some_and(|e| e.eq_ignore_ascii_case("csv")) => {
+                "a table (CSV)"
+            }
+            () => return faults,
+        };
+        Diagnostics::from(text_file::not_ours(what, path))
     })?;
     let value = &mut spec.value;
     if let Some(polygon) = &value.polygon {
@@ -99,6 +106,12 @@ fn with_templates(
     let joint = assembly::build_from(&spec, &template, &catalog)?;
     let templates = template.own_texts().to_vec();
     Ok(SpecFile { text: text.into(), spec, joint, catalog, templates })
+}
+
+/// True for a text that a program wrote as JSON.
+fn is_json(text: &str) -> bool {
+    text.trim_start().starts_with(['{', '['])
+        && serde_json::from_str::<serde_json::Value>(text).is_ok()
 }
 
 /// The built-in catalogue together with the folder of the option or of the spec.

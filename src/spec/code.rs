@@ -1,5 +1,6 @@
 //! The `code` section of a spec: the design code and its partial factors.
 
+use super::word::word_or_none_schema;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -12,6 +13,7 @@ pub struct Code {
     /// National annex whose partial factors apply where this spec gives none: `DE`, `UK` …
     /// (`bracket catalog list annexes`); left out: the recommended values.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(schema_with = "word_or_none_schema")]
     pub annex: Option<String>,
     /// Partial factor of cross-sections, 0.5 to 3.
     #[serde(rename = "gamma_M0", skip_serializing_if = "Option::is_none")]

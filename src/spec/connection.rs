@@ -10,6 +10,7 @@ use super::friction::FrictionSpec;
 use super::loads::LoadSpec;
 use super::polygon::PolygonSpec;
 use super::welds::WeldSpec;
+use super::word::{word, word_or_none, word_or_none_schema, word_schema};
 use crate::units::{self, Force, INVALID_QUANTITY, Kind, Length, Moment};
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize, de};
@@ -86,21 +87,27 @@ fn null_is_default<'de, T: Default + Deserialize<'de>, D: Deserializer<'de>>(
 pub struct Project {
     /// Title; names the joint.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(schema_with = "word_or_none_schema")]
     pub title: Option<String>,
     /// Project number.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(schema_with = "word_or_none_schema")]
     pub number: Option<String>,
     /// Author.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(schema_with = "word_or_none_schema")]
     pub author: Option<String>,
     /// Checker.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(schema_with = "word_or_none_schema")]
     pub checker: Option<String>,
     /// Date, as it shall be printed.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(schema_with = "word_or_none_schema")]
     pub date: Option<String>,
     /// Revision.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(schema_with = "word_or_none_schema")]
     pub revision: Option<String>,
     /// Language of the reports.
     #[serde(skip_serializing_if = "Language::is_default")]
@@ -137,8 +144,12 @@ impl Language {
 #[serde(deny_unknown_fields)]
 pub struct MemberSpec {
     /// Profile in the catalogue: `HEB200`.
+    #[serde(deserialize_with = "word")]
+    #[schemars(schema_with = "word_schema")]
     pub profile: String,
     /// Steel grade in the catalogue: `S235`.
+    #[serde(deserialize_with = "word")]
+    #[schemars(schema_with = "word_schema")]
     pub steel: String,
     /// System length, between the centres of the columns for a beam: it decides the class of its
     /// joints by stiffness.
@@ -172,7 +183,8 @@ pub struct PlateSpec {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub z: Option<[Length; 2]>,
     /// Steel grade; left out: the one the template says.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(deserialize_with = "word_or_none", skip_serializing_if = "Option::is_none")]
+    #[schemars(schema_with = "word_or_none_schema")]
     pub steel: Option<String>,
 }
 
@@ -181,8 +193,12 @@ pub struct PlateSpec {
 #[serde(deny_unknown_fields)]
 pub struct BoltSpec {
     /// Size in the catalogue: `M18`.
+    #[serde(deserialize_with = "word")]
+    #[schemars(schema_with = "word_schema")]
     pub size: String,
-    /// Property class: `"8.8"`.
+    /// Property class: `8.8`.
+    #[serde(deserialize_with = "word")]
+    #[schemars(schema_with = "word_schema")]
     pub grade: String,
     /// Distance between the bolt columns.
     #[serde(default, skip_serializing_if = "Option::is_none")]

@@ -9,6 +9,7 @@ mod evaluate;
 mod lex;
 mod node;
 mod parse;
+mod stock;
 mod value;
 
 use crate::units::Dim;

@@ -1,5 +1,6 @@
 //! The `friction` section of a spec, and the friction law of any contact.
 
+use super::word::word_or_none_schema;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -12,6 +13,7 @@ pub struct FrictionSpec {
     pub mu: Option<f64>,
     /// Friction class A–D of EN 1090-2.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(schema_with = "word_or_none_schema")]
     pub class: Option<String>,
     /// Friction law.
     pub law: FrictionLaw,

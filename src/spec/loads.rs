@@ -1,6 +1,7 @@
 //! Load cases of a connection spec: pressure on a named section, or forces and moments at a member
 //! end.
 
+use super::word::{word, word_schema};
 use crate::units::{Force, Moment, Stress};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -10,6 +11,8 @@ use serde::{Deserialize, Serialize};
 #[serde(deny_unknown_fields)]
 pub struct LoadSpec {
     /// Name of the load case.
+    #[serde(deserialize_with = "word")]
+    #[schemars(schema_with = "word_schema")]
     pub name: String,
     /// Named section of the template the load acts on: `column_top`.
     #[serde(default, skip_serializing_if = "Option::is_none")]

@@ -3,7 +3,7 @@
 
 use super::loads::{Action, ActionPoint, LoadSpec};
 use crate::diag::AtLeastOne;
-use crate::units::{Force, Moment};
+use crate::units::{Force, Moment, limits};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -112,7 +112,7 @@ impl PolygonSpec {
         let given = self.as_load().actions();
         for (action, size) in &given {
             let unit = if action.direction().1 { "N mm" } else { "N" };
-            if !SIZES.contains(size) {
+            if !limits::within(*size, &SIZES) {
                 let [least, most] = [SIZES.start(), SIZES.end()].map(|s| format!("{s:e} {unit}"));
                 let problem = format!(
                     "`{0}` is {size:e} {unit}; the unit of an axis is positive, from {least} to \

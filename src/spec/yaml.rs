@@ -13,7 +13,9 @@ mod scan;
 pub use extend::REST;
 pub use place::PlaceIndex;
 
+use super::later;
 use crate::diag::{Diagnostic, Diagnostics, Place, did_you_mean};
+use crate::text_file;
 use outline::Outline;
 use scan::{Limit, Scan};
 use serde::Serialize;
@@ -74,6 +76,9 @@ fn accepted<'t>(text: &'t str, file: &Path) -> Result<(PlaceIndex, Cow<'t, str>)
     if text.lines().all(|l| l.trim_start().is_empty() || l.trim_start().starts_with('#')) {
         let d = Diagnostic::input("yaml/empty", "the file is empty").file(file);
         return Err(d.help("`bracket new` writes a starter").into());
+    }
+    if let Some(what) = text_file::foreign::of_text(text) {
+        return Err(text_file::not_ours(what, file).into());
     }
     let scan = Scan::of(text);
     if let Some((limit, at)) = scan.exceeded {
@@ -199,7 +204,9 @@ fn from_serde(error: &serde_yaml::Error, index: &PlaceIndex, file: &Path) -> Dia
         let within = if path.is_empty() { String::new() } else { format!(" in `{path}`") };
         let hint = did_you_mean(key, known.iter().copied());
         let d = Diagnostic::input("yaml/unknown-key", format!("unknown key `{key}`{within}{hint}"));
-        let help = if known.is_empty() {
+        let help = if let Some(what) = later::not_in_this_edition(key) {
+            later::help(what)
+        } else if known.is_empty() {
             "remove it: nothing may be written here".to_string()
         } else {
             format!("the keys known here are: {}", known.join(", "))

@@ -499,9 +499,9 @@ fn files_that_are_no_specs_are_refused() {
         (
             "a folder's archive",
             b"PK\x03\x04\x00".to_vec(),
-            "file/encoding",
-            "joint.yaml:1:5",
-            "UTF-8",
+            "file/kind",
+            "joint.yaml",
+            "Bracket reads YAML",
         ),
         (
             "a model",

@@ -5,6 +5,7 @@ mod boundary;
 mod context;
 mod interfaces;
 mod parts;
+mod shapes;
 
 pub use bolts::BoltLine;
 pub(super) use context::Context;

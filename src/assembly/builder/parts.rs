@@ -1,10 +1,11 @@
 //! Members and plates of the joint.
 
 use super::context::Context;
+use super::shapes::{Body, Shape};
 use crate::assembly::assembly::{MidPlane, Part, PartMaterial, PartRole, Solid};
 use crate::assembly::error::AssemblyError;
 use crate::assembly::evaluate::{entry_fault, identifier, within};
-use crate::assembly::part::{Hole, Placed, cuboid, perforated};
+use crate::assembly::part::{Hole, cuboid, perforated};
 use crate::assembly::scope::Scope;
 use crate::assembly::strength::Strength;
 use crate::assembly::template::{MidEntry, PartEntry, RoleEntry};
@@ -24,47 +25,17 @@ impl Context<'_> {
         let name = identifier(at, within(at, scope.text(at))?)?;
         let holes = holes.get(name.as_str()).map_or(&[][..], Vec::as_slice);
         let (mut solids, mut convex, mut mid_planes) = (Vec::new(), Vec::new(), Vec::new());
-        for solid in &entry.solids {
-            for s in within(at, scope.turns(&solid.each, solid.when.as_ref()))? {
-                match (&solid.profile, &solid.cuboid) {
-                    (Some(p), None) => {
-                        let Some(profile) = self.inputs.profile(&p.member) else {
-                            return entry_fault(at, format!("there is no member `{}`", p.member));
-                        };
-                        let (along, depth) = (p.along.index(), p.depth.index());
-                        if along == depth {
-                            return entry_fault(at, "`along` and `depth` are the same axis");
-                        }
-                        let span = within(at, s.interval(&[p.from.clone(), p.to.clone()]))?;
-                        let centre =
-                            p.centre.as_ref().map_or(Ok([0.0; 3]), |c| within(at, s.point(c)))?;
-                        let placed = Placed { profile, along, depth, span, centre };
-                        solids.push(placed.solid());
-                        convex.extend(placed.convex(holes));
-                        mid_planes.extend(placed.mid_planes());
-                    }
-                    (None, Some(b)) => {
-                        let x = [
-                            within(at, s.interval(&b.x))?,
-                            within(at, s.interval(&b.y))?,
-                            within(at, s.interval(&b.z))?,
-                        ];
-                        if let Some(k) = (0..3).find(|&k| x[k][1] - x[k][0] <= 0.0) {
-                            return entry_fault(
-                                at,
-                                format!("a box has no extent along {}", ["x", "y", "z"][k]),
-                            );
-                        }
-                        solids.push(cuboid(x[0], x[1], x[2]));
-                        convex.extend(perforated(x, holes));
-                        mid_planes.push(within(at, mid_plane(&s, x, solid.mid.as_ref()))?);
-                    }
-                    _ => {
-                        return entry_fault(
-                            at,
-                            "each solid is a `profile` or a `box`, one of them",
-                        );
-                    }
+        for Shape { entry: solid, scope: s, body } in self.shapes(entry, scope)? {
+            match body {
+                Body::Profile(_, placed) => {
+                    solids.push(placed.solid());
+                    convex.extend(placed.convex(holes));
+                    mid_planes.extend(placed.mid_planes());
+                }
+                Body::Cuboid(x) => {
+                    solids.push(cuboid(x[0], x[1], x[2]));
+                    convex.extend(perforated(x, holes));
+                    mid_planes.push(within(at, mid_plane(&s, x, solid.mid.as_ref()))?);
                 }
             }
         }

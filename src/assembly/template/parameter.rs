@@ -51,6 +51,26 @@ pub enum Default {
     Many(Vec<Expr>),
 }
 
+impl Default {
+    /// The expressions.
+    pub fn expressions(&self) -> &[Expr] {
+        match self {
+            Default::One(e) => std::slice::from_ref(e),
+            Default::Many(list) => list,
+        }
+    }
+
+    /// The expressions as text.
+    pub fn text(&self) -> String {
+        match self {
+            Default::One(e) => e.text().to_owned(),
+            Default::Many(list) => {
+                format!("[{}]", list.iter().map(Expr::text).collect::<Vec<_>>().join(", "))
+            }
+        }
+    }
+}
+
 impl<'de> Deserialize<'de> for Default {
     fn deserialize<D: serde::Deserializer<'de>>(d: D) -> Result<Self, D::Error> {
         use serde::de::{self, IntoDeserializer};

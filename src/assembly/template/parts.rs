@@ -36,6 +36,9 @@ pub struct PartEntry {
     pub thickness: Expr,
     /// Element size for `size: auto`.
     pub size: Expr,
+    /// Why it needs no check by code; the report says so. Without it, a part that `hand_checks`
+    /// does not describe leaves the verdict by code undecided.
+    pub no_check: Option<String>,
     /// The solids it is made of, united.
     pub solids: Vec<SolidEntry>,
 }
@@ -54,6 +57,10 @@ pub struct SolidEntry {
     /// a box.
     #[serde(default, rename = "box")]
     pub cuboid: Option<BoxEntry>,
+    /// Words for lists, if they are not those of the part.
+    pub label: Option<String>,
+    /// Why it needs no check by code, as for the part.
+    pub no_check: Option<String>,
     /// How its plane at mid-thickness differs from the box's own extent.
     pub mid: Option<MidEntry>,
 }

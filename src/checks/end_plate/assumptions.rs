@@ -1,8 +1,8 @@
 //! Assumptions of the checks where the spec gives no value, and input that the code does not cover.
 
 use super::column_forces::columns;
-use crate::assembly::EndPlate;
-use crate::checks::check::{Check, Topic, Unit};
+use crate::assembly::{EndPlate, NotChecked};
+use crate::checks::check::{Check, Status, Topic, Unit};
 
 /// Loads that the checks leave out.
 pub(super) fn unseen_loads(e: &EndPlate) -> Vec<Check> {
@@ -11,6 +11,21 @@ pub(super) fn unseen_loads(e: &EndPlate) -> Vec<Check> {
         Check::undecided(Topic::ComponentMethod, "joint", clause, title, why.clone()).of_case(case)
     };
     e.unseen.iter().map(unseen).collect()
+}
+
+/// Parts of the geometry that the checks leave out, and parts that they count and the geometry
+/// lacks.
+pub(super) fn not_checked(e: &EndPlate) -> Vec<Check> {
+    let check = |n: &NotChecked| {
+        let (topic, title) = (Topic::Member, format!("not checked: {}", n.parts.join(", ")));
+        let (label, clause) = (n.label.clone(), "EN 1993-1-8:2005 2.4");
+        let undecided = Check::undecided(topic, label, clause, &title, n.why.clone());
+        match n.binds {
+            true => undecided,
+            false => Check { status: Status::Warning, ..undecided },
+        }
+    };
+    e.not_checked.iter().map(check).collect()
 }
 
 /// Fillet welds of steels for which Table 4.1 has no β_w: the code gives them no strength.

@@ -1,6 +1,7 @@
 //! The plates that the bolts clamp, and the length of bolt that they need.
 
 use crate::assembly::EndPlate;
+use crate::catalog::BoltSize;
 use crate::checks::eurocode::bolt_length::{self, least_length};
 
 /// Washers of a bolt: one under the head and one under the nut.
@@ -44,13 +45,14 @@ pub(super) fn other_thickness(e: &EndPlate) -> f64 {
     e.column.as_ref().map_or(e.thickness, |c| c.section.tf)
 }
 
-/// Thickness that the bolts clamp \[mm\].
-pub fn grip(e: &EndPlate) -> f64 {
-    e.thickness + other_thickness(e)
+/// Nominal length of a bolt \[mm\] for a grip: the shortest stocked length that suffices; `None`
+/// beyond the longest.
+pub(super) fn length_for(bolt: &BoltSize, grip: f64) -> Option<f64> {
+    bolt_length::stocked_length(least_length(bolt, grip, WASHERS).value)
 }
 
 /// Nominal length of the bolts \[mm\]: the shortest stocked length that suffices; `None` beyond the
 /// longest.
 pub fn stocked_length(e: &EndPlate) -> Option<f64> {
-    bolt_length::stocked_length(least_length(&e.bolt, grip(e), WASHERS).value)
+    length_for(&e.bolt, e.grip)
 }

@@ -1,7 +1,7 @@
 //! An end plate as the joint of the component method.
 
 use super::bolt_checks::bolt_tension;
-use super::clamped_plates::{WASHERS, grip};
+use super::clamped_plates::WASHERS;
 use super::doubler::{doubler_fault, doubler_width};
 use super::national_annex;
 use crate::assembly::EndPlate;
@@ -45,7 +45,7 @@ pub(super) fn component_joint(e: &EndPlate, beta: f64) -> EndPlateJoint {
             rows: e.rows.clone(),
             tension: bolt_tension(e, e.factors.gamma_m2),
             stress_area: e.bolt.stress_area,
-            elongation: bolt_length::elongation_length(&e.bolt, grip(e), WASHERS),
+            elongation: bolt_length::elongation_length(&e.bolt, e.grip, WASHERS),
             washer: None,
             always_prying: e.always_prying,
         },

@@ -2,7 +2,7 @@
 //! bolts.
 
 use super::bolt_rows::{end_distance, from_top, pitches};
-use super::clamped_plates::{WASHERS, grip, other_thickness, stocked_length};
+use super::clamped_plates::{WASHERS, other_thickness, stocked_length};
 use crate::assembly::{ColumnSide, EndPlate};
 use crate::checks::check::{Check, Status, Step, Topic, Unit, number as n, within};
 use crate::checks::component_method::column_web::STIFFENER_SLENDERNESS;
@@ -75,7 +75,7 @@ fn room(e: &EndPlate) -> Vec<Check> {
 
 /// Length of the bolts, and their free thread.
 fn length_of_bolts(e: &EndPlate) -> Vec<Check> {
-    let (b, grip, mut out) = (&e.bolt, grip(e), Vec::new());
+    let (b, grip, mut out) = (&e.bolt, e.grip, Vec::new());
     let least = bolt_length::least_length(b, grip, WASHERS);
     let stocked = stocked_length(e);
     let subject = format!("{} {}, {} washers", b.size, e.grade.grade, WASHERS);

@@ -1,9 +1,9 @@
-//! What a bolted end plate is made of: bolts, plates and stiffeners, with masses from nominal
-//! sizes.
+//! The bolts and plates of a joint, with masses from nominal sizes.
 
-use super::clamped_plates::{grip, stocked_length};
-use crate::assembly::EndPlate;
+use super::clamped_plates::length_for;
+use crate::assembly::content::{Content, Piece};
 use crate::catalog::BoltSize;
+use crate::units::limits;
 use std::f64::consts::PI;
 
 /// Density of steel \[kg/mm³\], EN 1991-1-1 Table A.4 and EN 1993-1-1 3.2.6 as used in practice.
@@ -28,8 +28,8 @@ pub enum PartSize {
 /// Equal parts of a joint.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PartItem {
-    /// `bolt`, `end plate` or `column stiffener`.
-    pub part: &'static str,
+    /// `bolt`, `end plate`, `column stiffener`, or the words of a template.
+    pub part: String,
     /// How many there are.
     pub count: usize,
     /// The sizes of each.
@@ -51,33 +51,65 @@ pub fn bolt_mass(b: &BoltSize, length: f64) -> f64 {
     DENSITY * (head + circle(b.d) * length + nut + 2.0 * washer)
 }
 
-/// Bolts, end plates and column stiffeners of a joint with `plates` end plates.
-pub fn parts_list(e: &EndPlate, plates: usize) -> Vec<PartItem> {
-    // the bolts of a splice clamp both of its plates
-    let sets = if e.column.is_some() { plates } else { 1 };
-    let length = stocked_length(e);
-    let plate = |part: &'static str, count: usize, sizes: [f64; 3], steel: &str| PartItem {
-        part,
-        count,
-        size: PartSize::Plate(sizes),
-        steel: steel.into(),
-        each: Some(DENSITY * sizes.iter().product::<f64>()),
-    };
-    let bolts = PartItem {
-        part: "bolt",
-        count: e.bolt_count() * sets,
-        size: PartSize::Bolt { size: e.bolt.size.clone(), length, grip: grip(e) },
-        steel: e.grade.grade.clone(),
-        each: length.map(|l| bolt_mass(&e.bolt, l)),
-    };
-    let sizes = [e.thickness, e.width, e.top - e.bottom];
-    let mut out = vec![bolts, plate("end plate", plates, sizes, &e.plate_steel.grade)];
-    if let Some(c) = e.column.as_ref().filter(|c| c.stiffener > 0.0) {
-        let s = &c.section;
-        let sizes = [c.stiffener, 0.5 * (s.b - s.tw), s.h - 2.0 * s.tf];
-        out.push(plate("column stiffener", 4, sizes, &c.steel.grade));
+/// Bolts and plates of a joint as its geometry has them: the bolts first, then the plates that the
+/// hand checks know, then all others.
+pub fn parts_list(joint: &Content) -> Vec<PartItem> {
+    let mut out: Vec<PartItem> = Vec::new();
+    for b in &joint.fasteners {
+        let Some((size, grade)) = &joint.bolt else { continue };
+        let length = length_for(size, b.grip());
+        add(
+            &mut out,
+            PartItem {
+                part: "bolt".into(),
+                count: 1,
+                size: PartSize::Bolt { size: size.size.clone(), length, grip: b.grip() },
+                steel: grade.grade.clone(),
+                each: length.map(|l| bolt_mass(size, l)),
+            },
+        );
+    }
+    let mut plates: Vec<&Piece> = joint.pieces.iter().collect();
+    plates.sort_by_key(|p| p.kind);
+    for p in plates {
+        let sizes = p.sizes();
+        add(
+            &mut out,
+            PartItem {
+                part: p.label.clone(),
+                count: 1,
+                size: PartSize::Plate(sizes),
+                steel: p.steel.clone(),
+                each: Some(DENSITY * sizes.iter().product::<f64>()),
+            },
+        );
     }
     out
+}
+
+/// Adds a part to its like.
+fn add(items: &mut Vec<PartItem>, item: PartItem) {
+    let like =
+        |i: &&mut PartItem| i.part == item.part && i.steel == item.steel && i.size.is(&item.size);
+    match items.iter_mut().find(like) {
+        Some(same) => same.count += 1,
+        None => items.push(item),
+    }
+}
+
+impl PartSize {
+    /// True if both are the same but for rounding.
+    fn is(&self, other: &Self) -> bool {
+        match (self, other) {
+            (PartSize::Plate(a), PartSize::Plate(b)) => {
+                a.iter().zip(b).all(|(a, b)| limits::same(*a, *b))
+            }
+            (PartSize::Bolt { size, grip, .. }, PartSize::Bolt { size: other, grip: far, .. }) => {
+                size == other && limits::same(*grip, *far)
+            }
+            _ => false,
+        }
+    }
 }
 
 /// Mass of all parts \[kg\]; `None` if that of one is unknown.

@@ -1,13 +1,13 @@
-//! The welds of a bolted end plate: seams with their throats and lengths.
+//! The welds of a joint: seams with their throats and lengths.
 
 use super::parts_list::DENSITY;
-use crate::assembly::EndPlate;
+use crate::assembly::{Content, EndPlate};
 
 /// Equal seams of a joint. Lengths in mm.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WeldItem {
-    /// Where they are: `beam flange, outside`.
-    pub place: &'static str,
+    /// Where they are: `beam flange to end plate, outside`, or the two parts.
+    pub place: String,
     /// Throat of a fillet weld; 0: full penetration.
     pub throat: f64,
     /// How many there are.
@@ -25,13 +25,29 @@ impl WeldItem {
     }
 }
 
-/// The welds of a joint with `plates` end plates, in the order of the parts.
-pub fn welds_list(e: &EndPlate, plates: usize) -> Vec<WeldItem> {
+/// The welds of a joint: those that the hand checks know, in the order of the parts, then those of
+/// further parts as the geometry has them.
+pub fn welds_list(e: Option<&EndPlate>, joint: &Content) -> Vec<WeldItem> {
+    let mut out = e.map_or_else(Vec::new, |e| of_end_plate(e, joint.end_plates()));
+    out.extend(joint.seams.iter().map(|s| {
+        let [a, b] = &s.between;
+        WeldItem {
+            place: if a == b { format!("within {a}") } else { format!("{a} to {b}") },
+            throat: s.throat,
+            count: 1,
+            length: Some(s.length),
+        }
+    }));
+    out
+}
+
+/// The welds of `plates` end plates with their beams, and of the column.
+fn of_end_plate(e: &EndPlate, plates: usize) -> Vec<WeldItem> {
     let mut out = Vec::new();
     // a fillet weld has a seam on either side of a part, a butt weld one in all
-    let mut both = |place, throat: f64, places: usize, length: Option<f64>| {
+    let mut both = |place: &str, throat: f64, places: usize, length: Option<f64>| {
         let count = if throat > 0.0 { 2 * places } else { places };
-        out.push(WeldItem { place, throat, count, length });
+        out.push(WeldItem { place: place.into(), throat, count, length });
     };
     let b = &e.beam;
     let inside = 0.5 * (b.b - b.tw) - b.r;
@@ -51,12 +67,12 @@ pub fn welds_list(e: &EndPlate, plates: usize) -> Vec<WeldItem> {
         }
         if c.doubler > 0.0 {
             // round the plate, on its outside only
-            let (place, throat) = ("web doubler, all round", c.doubler_throat);
+            let (place, throat) = ("web doubler, all round".into(), c.doubler_throat);
             out.push(WeldItem { place, throat, count: 1, length: None });
         }
     }
-    let flange = |place, count, length| WeldItem {
-        place,
+    let flange = |place: &str, count, length| WeldItem {
+        place: place.into(),
         throat: e.flange_throat,
         count,
         length: Some(length),

@@ -2,10 +2,12 @@
 //! actions with their signs.
 //!
 //! They show the input of the hand checks (`assembly::EndPlate`), so that the reader sees a wrong
-//! value of a spec.
+//! value of a spec, and the bolts and further plates of the geometry (`assembly::Content`).
 
-use crate::assembly::{EndPlate, PlaneActions};
+use crate::assembly::content::PieceKind;
+use crate::assembly::{Content, EndPlate, PlaneActions};
 use crate::checks::check::{Unit, number as n};
+use crate::checks::end_plate::{PartItem, PartSize, parts_list};
 use crate::report::draw::svg::{Anchor, Drawing, LINE, Pen};
 use crate::report::draw::weld_symbol::weld_symbol;
 
@@ -15,12 +17,13 @@ const HEIGHT: f64 = 380.0;
 const WIDTH: f64 = 420.0;
 const STEEL: &str = "#eef1f4";
 const BOLT: &str = "#c9d3dc";
+const FURTHER: &str = "#f3e3c3";
 const MARGIN: f64 = 24.0;
 
-/// Side view and front view. `plates` is the number of end plates of the joint, 1 or 2. `length` is
-/// the nominal length of the bolts, if a suitable length is stocked.
-pub fn views(e: &EndPlate, plates: usize, length: Option<f64>) -> String {
-    sheet(e, plates, length).finish("Joint, side view and front view of the end plate")
+/// Side view and front view of a joint with what it is made of. `length` is the nominal length of
+/// the bolts, if a suitable length is stocked.
+pub fn views(e: &EndPlate, joint: &Content, length: Option<f64>) -> String {
+    sheet(e, joint, length).finish("Joint, side view and front view of the end plate")
 }
 
 /// Actions at the member ends with their positive senses, and their values.
@@ -49,33 +52,40 @@ fn extent(e: &EndPlate) -> [f64; 2] {
     [e.bottom.min(-half) - beyond, e.top.max(half) + beyond]
 }
 
-fn sheet(e: &EndPlate, plates: usize, length: Option<f64>) -> Drawing {
+fn sheet(e: &EndPlate, joint: &Content, length: Option<f64>) -> Drawing {
     let mut d = Drawing::default();
     let [low, high] = extent(e);
     let stub = 0.8 * e.beam.h;
     let depth = e.column.as_ref().map_or(0.0, |c| c.section.h);
     // a splice has both plates, a column one or two
-    let both = e.column.is_none() || plates > 1;
+    let both = e.column.is_none() || joint.end_plates() > 1;
     let right = 0.5 * depth + e.thickness + stub;
     let left = if both { right } else { 0.5 * depth };
     let k = (HEIGHT / (high - low)).min(WIDTH / (left + right));
     let top = MARGIN + 1.5 * LINE;
     let side = Scale { k, origin: [MARGIN + 40.0 + k * left, top + k * high] };
     d.text([side.origin[0], MARGIN], Anchor::Middle, "side view");
-    side_view(&mut d, e, &side, both, [low, high]);
+    side_view(&mut d, e, joint, &side, both, [low, high]);
     let wide = e.width.max(e.column.as_ref().map_or(0.0, |c| c.section.b));
     let centre = side.origin[0] + k * right + 150.0 + 0.5 * k * wide;
     let front = Scale { k, origin: [centre, side.origin[1]] };
     d.text([centre, MARGIN], Anchor::Middle, "end plate, seen from the beam");
-    front_view(&mut d, e, &front, [low, high]);
+    front_view(&mut d, e, joint, &front, [low, high]);
     let below = side.at(0.0, low)[1] + 5.5 * LINE;
-    for (i, text) in legend(e, both, length).iter().enumerate() {
+    for (i, text) in legend(e, joint, both, length).iter().enumerate() {
         d.text([MARGIN, below + LINE * i as f64], Anchor::Start, text);
     }
     d
 }
 
-fn side_view(d: &mut Drawing, e: &EndPlate, s: &Scale, both: bool, [low, high]: [f64; 2]) {
+fn side_view(
+    d: &mut Drawing,
+    e: &EndPlate,
+    joint: &Content,
+    s: &Scale,
+    both: bool,
+    [low, high]: [f64; 2],
+) {
     let half = 0.5 * e.beam.h;
     let face = e.column.as_ref().map_or(0.0, |c| 0.5 * c.section.h);
     if let Some(c) = &e.column {
@@ -114,11 +124,16 @@ fn side_view(d: &mut Drawing, e: &EndPlate, s: &Scale, both: bool, [low, high]: 
     let place = s.at(start + 0.32 * (end - start), 0.0);
     weld_symbol(d, s.at(start, half), [place[0], s.at(0.0, high)[1]], e.flange_throat);
     weld_symbol(d, s.at(start, 0.1 * half), place, e.web_throat);
+    let reach = face + e.thickness + stub;
+    let [from, to] = [if both { -reach } else { -face }, reach];
+    further(d, s, joint, 0, [from, to], [low, high]);
     // drawn last, over the parts that they pass through
-    for &side in sides {
-        if e.column.is_some() || side > 0.0 {
-            let inner = e.column.as_ref().map_or(-e.thickness, |c| face - c.section.tf);
-            e.rows.iter().for_each(|z| bolt(d, e, s, side, [face + e.thickness, inner], *z));
+    let mut drawn: Vec<[f64; 3]> = Vec::new();
+    for b in joint.fasteners.iter().filter(|b| b.axis == 0) {
+        let place = [b.head[0], b.head[0] + b.toward * b.grip(), b.head[2]];
+        if !drawn.contains(&place) {
+            drawn.push(place);
+            bolt(d, e, s, b.toward, [place[0], place[1]], place[2]);
         }
     }
     // below: column and plate, or both plates
@@ -134,15 +149,37 @@ fn side_view(d: &mut Drawing, e: &EndPlate, s: &Scale, both: bool, [low, high]: 
     d.vertical_chain(x + 22.0, true, x, &ys, &[n(e.beam.h)]);
 }
 
-/// A bolt in the side view: head on the plate, shank, nut. `side` = −1 mirrors it.
-fn bolt(d: &mut Drawing, e: &EndPlate, s: &Scale, side: f64, [outer, inner]: [f64; 2], z: f64) {
+/// A bolt in the side view with the bearing faces of head and nut. `toward` is the sign of the way
+/// from head to nut.
+fn bolt(d: &mut Drawing, e: &EndPlate, s: &Scale, toward: f64, [head, nut]: [f64; 2], z: f64) {
     let b = &e.bolt;
     let mut piece = |x: [f64; 2], half: f64| {
-        d.rectangle(Pen::Edge, BOLT, s.at(side * x[0], z - half), s.at(side * x[1], z + half));
+        d.rectangle(Pen::Edge, BOLT, s.at(x[0], z - half), s.at(x[1], z + half));
     };
-    piece([inner, outer], 0.5 * b.d);
-    piece([outer, outer + b.head_height], 0.5 * b.head_width);
-    piece([inner - b.nut_height, inner], 0.5 * b.nut_width);
+    piece([head, nut], 0.5 * b.d);
+    piece([head - toward * b.head_height, head], 0.5 * b.head_width);
+    piece([nut, nut + toward * b.nut_height], 0.5 * b.nut_width);
+}
+
+/// The plates that the hand checks do not know, as far as they lie in the drawing: `across` is the
+/// axis that is horizontal on the page, `wide` its interval.
+fn further(
+    d: &mut Drawing,
+    s: &Scale,
+    joint: &Content,
+    across: usize,
+    wide: [f64; 2],
+    high: [f64; 2],
+) {
+    let within = |x: [f64; 2], limits: [f64; 2]| {
+        let cut = [x[0].max(limits[0]), x[1].min(limits[1])];
+        (cut[0] < cut[1]).then_some(cut)
+    };
+    for p in joint.pieces.iter().filter(|p| p.kind == PieceKind::Other) {
+        if let (Some(x), Some(z)) = (within(p.extent[across], wide), within(p.extent[2], high)) {
+            d.rectangle(Pen::Edge, FURTHER, s.at(x[0], z[0]), s.at(x[1], z[1]));
+        }
+    }
 }
 
 /// The end of a member that continues: a line with a zigzag in its middle.
@@ -157,7 +194,7 @@ fn break_line(d: &mut Drawing, a: [f64; 2], b: [f64; 2]) {
     path.windows(2).for_each(|w| d.line(Pen::Edge, w[0], w[1]));
 }
 
-fn front_view(d: &mut Drawing, e: &EndPlate, s: &Scale, [low, high]: [f64; 2]) {
+fn front_view(d: &mut Drawing, e: &EndPlate, joint: &Content, s: &Scale, [low, high]: [f64; 2]) {
     let (half, b) = (0.5 * e.beam.h, &e.beam);
     if let Some(c) = &e.column {
         for y in [-0.5, 0.5].map(|y| y * c.section.b) {
@@ -173,6 +210,11 @@ fn front_view(d: &mut Drawing, e: &EndPlate, s: &Scale, [low, high]: [f64; 2]) {
     if e.rib > 0.0 {
         d.rectangle(Pen::Edge, BOLT, s.at(-0.5 * e.rib, half), s.at(0.5 * e.rib, e.top));
     }
+    // those in front of the end plate
+    let face = e.column.as_ref().map_or(0.0, |c| 0.5 * c.section.h);
+    let mut front = joint.clone();
+    front.pieces.retain(|p| p.extent[0][1] > face + e.thickness);
+    further(d, s, &front, 1, [-2.0 * w, 2.0 * w], [low, high]);
     for &z in &e.rows {
         for y in e.columns() {
             // a hexagon with two vertical sides
@@ -214,7 +256,7 @@ fn front_view(d: &mut Drawing, e: &EndPlate, s: &Scale, [low, high]: [f64; 2]) {
 }
 
 /// Names and sizes of the parts.
-fn legend(e: &EndPlate, both: bool, length: Option<f64>) -> Vec<String> {
+fn legend(e: &EndPlate, joint: &Content, both: bool, length: Option<f64>) -> Vec<String> {
     let mut out = Vec::new();
     if let Some(c) = &e.column {
         out.push(format!("column {} {}", c.section.name, c.steel.grade));
@@ -224,9 +266,8 @@ fn legend(e: &EndPlate, both: bool, length: Option<f64>) -> Vec<String> {
     let plates = if both { "2 end plates" } else { "end plate" };
     let size = format!("{} × {} × {}", n(e.thickness), n(e.width), n(e.top - e.bottom));
     out.push(format!("{plates} {size} {}", e.plate_steel.grade));
-    let sets = if e.column.is_some() && both { 2 } else { 1 };
     let long = length.map_or(String::new(), |l| format!(" × {}", n(l)));
-    let count = e.bolt_count() * sets;
+    let count = joint.fasteners.len();
     out.push(format!(
         "{count} bolts {}{long} {}, holes of {} mm",
         e.bolt.size,
@@ -247,6 +288,7 @@ fn legend(e: &EndPlate, both: bool, length: Option<f64>) -> Vec<String> {
     if e.rib > 0.0 {
         out.push(format!("rib of {} mm on the upper flange (front view)", n(e.rib)));
     }
+    out.extend(further_legend(joint));
     let weld =
         |a: f64| if a > 0.0 { format!("fillet a = {}", n(a)) } else { "full penetration".into() };
     out.push(format!("welds: flanges {}, web {}", weld(e.flange_throat), weld(e.web_throat)));
@@ -255,6 +297,19 @@ fn legend(e: &EndPlate, both: bool, length: Option<f64>) -> Vec<String> {
     }
     out.push("dimensions in mm; z from the beam's axis, up".into());
     out
+}
+
+/// The plates that the hand checks do not know.
+fn further_legend(joint: &Content) -> Vec<String> {
+    let mut further = joint.clone();
+    further.fasteners.clear();
+    further.pieces.retain(|p| p.kind == PieceKind::Other);
+    let line = |i: PartItem| {
+        let PartSize::Plate(sizes) = i.size else { return None };
+        let sizes = sizes.map(n).join(" × ");
+        Some(format!("{} × {} {sizes} {} (not in the checks)", i.count, i.part, i.steel))
+    };
+    parts_list(&further).into_iter().filter_map(line).collect()
 }
 
 /// The joint as lines, an arrow for every positive action, and the values of the load cases.
@@ -331,18 +386,18 @@ mod tests {
     use crate::spec::{ConnectionSpec, yaml};
     use std::path::Path;
 
-    fn end_plate(text: &str) -> EndPlate {
+    fn joint(text: &str) -> (EndPlate, Content) {
         let spec = yaml::parse::<ConnectionSpec>(text, Path::new("joint.yaml")).expect("a spec");
         let joint =
             build(&spec, Path::new("."), &Catalog::builtin().expect("catalogue")).expect("a joint");
-        joint.end_plate.expect("an end plate")
+        (joint.end_plate.expect("an end plate"), joint.content)
     }
 
     const COLUMN: &str = "template: beam_to_column_end_plate\nmembers: {column: {profile: HEB200, \
                           steel: S235}, beam: {profile: IPE300, steel: S235}}\nplate: {thickness: \
                           15}\nbolts: {size: M20, grade: \"8.8\", rows: [-90, 90, \
-                          190]}\nparameters: {double_sided: true, doubler: true, rib: \
-                          true}\nloads: [{name: A, end: beam_right, at: node, My: 40 kN m, Vz: \
+                          190]}\nparameters: {column_stiffeners: true, double_sided: true, doubler: \
+                          true, rib: true}\nloads: [{name: A, end: beam_right, at: node, My: 40 kN m, Vz: \
                           -30 kN}, {name: A, end: beam_left, at: node, My: 30 kN m, Mz: 1 kN m}]\n";
     const SPLICE: &str = "template: beam_splice\nmembers: {beam: {profile: IPE600, steel: \
                           S235}}\nplate: {thickness: 6, z: [-400, 310]}\nbolts: {size: M20, \
@@ -352,16 +407,19 @@ mod tests {
     /// No two texts overlap, and the drawing gives every dimension that a fitter needs.
     #[test]
     fn drawings_give_every_size_and_no_text_covers_another() {
-        for (text, plates) in [(COLUMN, 2), (COLUMN, 1), (SPLICE, 2)] {
-            let e = end_plate(text);
-            let drawings = [sheet(&e, plates, Some(65.0)), loads(&e)];
+        let one = COLUMN
+            .replace("double_sided: true, ", "")
+            .replace(", {name: A, end: beam_left, at: node, My: 30 kN m, Mz: 1 kN m}", "");
+        for text in [COLUMN, &one, SPLICE] {
+            let (e, joint) = joint(text);
+            let drawings = [sheet(&e, &joint, Some(65.0)), loads(&e)];
             for d in &drawings {
                 assert_eq!(overlaps(&d.labels), 0, "{:?}", d.labels);
                 assert!(d.labels.iter().all(|l| l[0] >= 0.0 && l[1] >= 0.0), "{:?}", d.labels);
             }
         }
-        let e = end_plate(COLUMN);
-        let text = views(&e, 2, Some(65.0));
+        let (e, content) = joint(COLUMN);
+        let text = views(&e, &content, Some(65.0));
         for wanted in
             [">200<", ">15<", ">300<", ">100<", ">180<", ">12 bolts M20 × 65 8.8, holes of 22 mm<"]
         {

@@ -11,6 +11,7 @@ pub mod moment_axial;
 pub mod moment_rotation;
 pub mod options;
 pub mod palette;
+pub mod parts_drawing;
 pub mod plot;
 pub mod polygon;
 pub mod raster;

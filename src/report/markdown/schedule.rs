@@ -19,7 +19,7 @@ pub fn schedule(items: &[PartItem]) -> Table {
         };
         let all = i.each.map(|m| m * i.count as f64);
         let count = i.count.to_string();
-        vec![i.part.into(), count, size, i.steel.clone(), kilograms(i.each), kilograms(all)]
+        vec![i.part.clone(), count, size, i.steel.clone(), kilograms(i.each), kilograms(all)]
     };
     Table {
         columns: strings(["part", "number", "size [mm]", "steel", "each [kg]", "all [kg]"]),
@@ -37,7 +37,7 @@ pub fn welds(items: &[WeldItem]) -> Table {
         let length = i.length.map_or("as drawn".into(), n);
         let all = i.length.map_or("–".into(), |l| n(l * i.count as f64));
         let mass = i.mass().map_or("–".into(), |m| format!("{m:.2}"));
-        vec![i.place.into(), kind, i.count.to_string(), length, all, mass]
+        vec![i.place.clone(), kind, i.count.to_string(), length, all, mass]
     };
     let columns =
         ["weld", "kind [mm]", "seams", "length of each [mm]", "all [mm]", "weld metal [kg]"];

@@ -1,8 +1,9 @@
 //! Evaluates the syntax tree of an expression and checks dimensions on the way.
 
 use super::node::{Kind, Node};
+use super::stock::stock;
 use super::value::{ExprError, Value, fault};
-use crate::units::{Dim, Quantity};
+use crate::units::{Dim, Quantity, limits};
 
 pub(super) struct Eval<'a> {
     pub(super) text: &'a str,
@@ -104,19 +105,20 @@ impl Eval<'_> {
             _ => {
                 let (p, q, _) = self.pair(a, b)?;
                 Value::Truth(match op {
-                    "<" => p < q,
-                    "<=" => p <= q,
-                    ">" => p > q,
-                    ">=" => p >= q,
-                    "==" => p == q,
-                    _ => p != q,
+                    "<" => !limits::at_least(p, q),
+                    "<=" => limits::at_most(p, q),
+                    ">" => !limits::at_most(p, q),
+                    ">=" => limits::at_least(p, q),
+                    "==" => limits::same(p, q),
+                    _ => !limits::same(p, q),
                 })
             }
         })
     }
 
     fn call(&mut self, name: &str, args: &[Node], node: &Node) -> Result<Value, ExprError> {
-        const FUNCTIONS: [&str; 7] = ["min", "max", "abs", "sqrt", "ceil", "round_up", "if"];
+        const FUNCTIONS: [&str; 8] =
+            ["min", "max", "abs", "sqrt", "ceil", "round_up", "stock", "if"];
         if !FUNCTIONS.contains(&name) {
             let hint = crate::diag::did_you_mean(name, FUNCTIONS);
             let known = FUNCTIONS.join(", ");
@@ -169,6 +171,14 @@ impl Eval<'_> {
                         format!("`sqrt` of a {} has no unit", q.dim),
                     )),
                 }
+            }
+            "stock" => {
+                let q = self.quantity(&args[0])?;
+                if q.dim != Dim::LENGTH {
+                    let message = format!("`stock` takes a thickness, not a {}", q.dim);
+                    return Err(fault(self.text, args[0].span.clone(), message));
+                }
+                Ok(Value::length(stock(q.value)))
             }
             "round_up" => {
                 let (x, step, dim) = self.pair(&args[0], &args[1])?;

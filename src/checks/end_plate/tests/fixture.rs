@@ -37,7 +37,14 @@ pub(super) fn loaded(loads: &str) -> HandChecks {
     checks(&joint("", loads))
 }
 
+/// A one-sided joint; the column has stiffeners unless `more` says otherwise.
 pub(super) fn joint(more: &str, loads: &str) -> String {
+    let stiffened = "column_stiffeners: true, column_stiffener_thickness: 10.7";
+    let more = match more {
+        m if m.contains("column_stiffeners") => m.to_owned(),
+        "" => stiffened.to_owned(),
+        m => format!("{stiffened}, {m}"),
+    };
     format!(
         "template: beam_to_column_end_plate\nmembers: {{column: {{profile: HEB200, steel: S235}}, \
          beam: {{profile: IPE300, steel: S235}}}}\nplate: {{thickness: 15}}\nbolts: {{size: M20, \

@@ -1,0 +1,165 @@
+//! The solids of a member or plate as the template gives them: lengths of profiles and boxes.
+
+use super::context::Context;
+use crate::assembly::content::{Content, Extent, Fastener, Length, Piece, PieceKind, Ply, cut};
+use crate::assembly::error::AssemblyError;
+use crate::assembly::evaluate::{entry_fault, within};
+use crate::assembly::part::Placed;
+use crate::assembly::scope::Scope;
+use crate::assembly::template::{PartEntry, SolidEntry};
+
+/// A solid in one turn of its loops.
+pub(super) struct Shape<'a> {
+    pub entry: &'a SolidEntry,
+    pub scope: Scope,
+    pub body: Body<'a>,
+}
+
+/// A length of a profile with its member role, or a box.
+pub(super) enum Body<'a> {
+    Profile(&'a str, Placed<'a>),
+    Cuboid(Extent),
+}
+
+impl Context<'_> {
+    /// The solids of a part in one turn of its loops.
+    pub(super) fn shapes<'s>(
+        &'s self,
+        entry: &'s PartEntry,
+        scope: &Scope,
+    ) -> Result<Vec<Shape<'s>>, AssemblyError> {
+        let at = entry.name.as_str();
+        let mut out = Vec::new();
+        for solid in &entry.solids {
+            for s in within(at, scope.turns(&solid.each, solid.when.as_ref()))? {
+                let body = match (&solid.profile, &solid.cuboid) {
+                    (Some(p), None) => {
+                        let Some(profile) = self.inputs.profile(&p.member) else {
+                            return entry_fault(at, format!("there is no member `{}`", p.member));
+                        };
+                        let (along, depth) = (p.along.index(), p.depth.index());
+                        if along == depth {
+                            return entry_fault(at, "`along` and `depth` are the same axis");
+                        }
+                        let span = within(at, s.interval(&[p.from.clone(), p.to.clone()]))?;
+                        let centre =
+                            p.centre.as_ref().map_or(Ok([0.0; 3]), |c| within(at, s.point(c)))?;
+                        Body::Profile(&p.member, Placed { profile, along, depth, span, centre })
+                    }
+                    (None, Some(b)) => {
+                        let x = [
+                            within(at, s.interval(&b.x))?,
+                            within(at, s.interval(&b.y))?,
+                            within(at, s.interval(&b.z))?,
+                        ];
+                        if let Some(k) = (0..3).find(|&k| x[k][1] - x[k][0] <= 0.0) {
+                            return entry_fault(
+                                at,
+                                format!("a box has no extent along {}", ["x", "y", "z"][k]),
+                            );
+                        }
+                        Body::Cuboid(x)
+                    }
+                    _ => {
+                        return entry_fault(
+                            at,
+                            "each solid is a `profile` or a `box`, one of them",
+                        );
+                    }
+                };
+                out.push(Shape { entry: solid, scope: s, body });
+            }
+        }
+        Ok(out)
+    }
+
+    /// Members, plates and bolts of the joint. The hand checks know none of them yet.
+    pub(in crate::assembly) fn content(&self) -> Result<Content, AssemblyError> {
+        let mut out = Content::default();
+        for entry in &self.template.parts {
+            let at = entry.name.as_str();
+            for scope in within(at, self.scope.turns(&entry.each, entry.when.as_ref()))? {
+                self.add_part(entry, &scope, &mut out)?;
+            }
+        }
+        let bolts = self.bolts()?;
+        out.bolt = self
+            .inputs
+            .bolt
+            .filter(|_| !bolts.is_empty())
+            .map(|(size, grade)| (size.clone(), grade.clone()));
+        out.fasteners = bolts
+            .into_iter()
+            .map(|b| Fastener {
+                name: b.name,
+                axis: b.hole.axis,
+                toward: b.hole.toward,
+                head: b.hole.base,
+                through: b
+                    .through
+                    .into_iter()
+                    .map(|(part, thickness)| Ply { part, thickness })
+                    .collect(),
+            })
+            .collect();
+        Ok(out)
+    }
+
+    fn add_part(
+        &self,
+        entry: &PartEntry,
+        scope: &Scope,
+        out: &mut Content,
+    ) -> Result<(), AssemblyError> {
+        let at = entry.name.as_str();
+        let part = within(at, scope.text(at))?;
+        let label = within(at, scope.text(&entry.label))?;
+        let thickness = within(at, scope.length(&entry.thickness))?;
+        let steel = self.inputs.strength(self.spec, &entry.steel, thickness)?.grade;
+        let shapes = self.shapes(entry, scope)?;
+        let first = out.members.len();
+        let mut boxes = Vec::new();
+        for Shape { entry: solid, scope, body } in shapes {
+            let text =
+                |t: &Option<String>| t.as_ref().map(|t| within(at, scope.text(t))).transpose();
+            let own = text(&solid.label)?;
+            let no_check = text(&solid.no_check)?.or(text(&entry.no_check)?);
+            match body {
+                Body::Profile(role, placed) => out.members.push(Length {
+                    part: part.clone(),
+                    label: own.unwrap_or_else(|| label.clone()),
+                    role: role.to_owned(),
+                    profile: placed.profile.name.clone(),
+                    along: placed.along,
+                    blocks: placed.blocks(),
+                    known: false,
+                    steel: steel.clone(),
+                    no_check,
+                }),
+                Body::Cuboid(extent) => boxes.push((extent, own, no_check)),
+            }
+        }
+        let (webs, alone) = (&out.members[first..], out.members.len() == first);
+        for (extent, own, no_check) in boxes {
+            let cut_by = |pieces: Vec<Extent>, block: &Extent| {
+                pieces.into_iter().flat_map(|p| cut(p, block)).collect()
+            };
+            let extents = webs.iter().flat_map(|m| &m.blocks).fold(vec![extent], cut_by);
+            let words = match alone {
+                true => label.clone(),
+                false => format!("plate of the {label}"),
+            };
+            let label = own.unwrap_or(words);
+            out.pieces.extend(extents.into_iter().map(|extent| Piece {
+                part: part.clone(),
+                label: label.clone(),
+                kind: PieceKind::Other,
+                extent,
+                upright: None,
+                steel: steel.clone(),
+                no_check: no_check.clone(),
+            }));
+        }
+        Ok(())
+    }
+}

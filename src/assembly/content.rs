@@ -1,0 +1,241 @@
+//! What a joint is made of: members, plates, bolts with the parts that they clamp, and welds. Lists
+//! and drawings show it.
+
+use serde::Serialize;
+
+/// Extent along x, y and z \[mm\].
+pub type Extent = [[f64; 2]; 3];
+
+/// Largest difference of two coordinates at the same place \[mm\].
+pub const SAME_PLACE: f64 = 0.01;
+
+/// What a plate is in the joint.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum PieceKind {
+    /// An end plate of the hand checks.
+    EndPlate,
+    /// A stiffener of the column, level with a beam flange.
+    Stiffener,
+    /// A supplementary plate on the column web.
+    Doubler,
+    /// A rib on the beam.
+    Rib,
+    /// A plate that the hand checks do not know.
+    Other,
+}
+
+/// A plate: a box of the template. A box that the web of a profile cuts is two plates.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Piece {
+    /// The part that it belongs to.
+    pub part: String,
+    /// Words for lists.
+    pub label: String,
+    /// What it is.
+    pub kind: PieceKind,
+    /// Its extent.
+    pub extent: Extent,
+    /// Axis of its height, 0 = x, where the hand checks know it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub upright: Option<usize>,
+    /// Steel grade.
+    pub steel: String,
+    /// Reason of the template why it needs no check by code.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub no_check: Option<String>,
+}
+
+impl Piece {
+    /// Size along an axis \[mm\].
+    pub fn size(&self, axis: usize) -> f64 {
+        self.extent[axis][1] - self.extent[axis][0]
+    }
+
+    /// Thickness, width and length \[mm\]; the length is the height where the hand checks know it.
+    pub fn sizes(&self) -> [f64; 3] {
+        let mut sizes = [0, 1, 2].map(|k| self.size(k));
+        match self.upright {
+            Some(k) => {
+                sizes.swap(k, 2);
+                sizes[..2].sort_by(f64::total_cmp);
+            }
+            None => sizes.sort_by(f64::total_cmp),
+        }
+        sizes
+    }
+}
+
+/// A length of a rolled section.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Length {
+    /// The part that it belongs to.
+    pub part: String,
+    /// Words for lists.
+    pub label: String,
+    /// Member role of the spec.
+    pub role: String,
+    /// Name of the section.
+    pub profile: String,
+    /// Axis of the member, 0 = x.
+    pub along: usize,
+    /// Flanges and web.
+    pub blocks: [Extent; 3],
+    /// True if the hand checks know it.
+    pub known: bool,
+    /// Steel grade.
+    pub steel: String,
+    /// Reason of the template why it needs no check by code.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub no_check: Option<String>,
+}
+
+impl Length {
+    /// Extent of the whole section.
+    pub fn extent(&self) -> Extent {
+        let [first, rest @ ..] = self.blocks;
+        rest.into_iter().fold(first, union)
+    }
+}
+
+/// A part that a bolt passes through.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Ply {
+    /// The part.
+    pub part: String,
+    /// Its thickness \[mm\].
+    pub thickness: f64,
+}
+
+/// A bolt.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Fastener {
+    /// Its part.
+    pub name: String,
+    /// Axis of the shank, 0 = x.
+    pub axis: usize,
+    /// Direction from head to nut along the axis: 1 or −1.
+    pub toward: f64,
+    /// Centre of the head's bearing face \[mm\].
+    pub head: [f64; 3],
+    /// What it clamps, from head to nut.
+    pub through: Vec<Ply>,
+}
+
+impl Fastener {
+    /// Thickness that the bolt clamps \[mm\].
+    pub fn grip(&self) -> f64 {
+        self.through.iter().map(|p| p.thickness).sum()
+    }
+
+    /// True if it passes the part.
+    pub fn passes(&self, part: &str) -> bool {
+        self.through.iter().any(|p| p.part == part)
+    }
+}
+
+/// Welds between two parts of which the hand checks do not know one.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Seam {
+    /// The two parts.
+    pub between: [String; 2],
+    /// Throat of fillet welds \[mm\]; 0: the parts are one body or tied, full penetration.
+    pub throat: f64,
+    /// Length of all of them \[mm\].
+    pub length: f64,
+}
+
+/// Parts that no check by code covers.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct NotChecked {
+    /// Names of the parts.
+    pub parts: Vec<String>,
+    /// What they are, in words.
+    pub label: String,
+    /// Reason, in a sentence.
+    pub why: String,
+    /// True if a verdict by code cannot be OK for this reason.
+    pub binds: bool,
+}
+
+/// All that a joint is made of.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Content {
+    /// Rolled members.
+    pub members: Vec<Length>,
+    /// Plates.
+    pub pieces: Vec<Piece>,
+    /// Bolts.
+    pub fasteners: Vec<Fastener>,
+    /// Size and grade of the bolts; `None` without bolts.
+    pub bolt: Option<(crate::catalog::BoltSize, crate::catalog::BoltGrade)>,
+    /// Welds beside those of the hand checks.
+    pub seams: Vec<Seam>,
+    /// What no check by code covers.
+    pub not_checked: Vec<NotChecked>,
+}
+
+impl Content {
+    /// Number of end plates of the hand checks.
+    pub fn end_plates(&self) -> usize {
+        self.pieces.iter().filter(|p| p.kind == PieceKind::EndPlate).count()
+    }
+}
+
+/// The least extent that holds both.
+pub fn union(a: Extent, b: Extent) -> Extent {
+    std::array::from_fn(|k| [a[k][0].min(b[k][0]), a[k][1].max(b[k][1])])
+}
+
+/// What both have in common along each axis; negative where they are apart.
+fn common(a: &Extent, b: &Extent) -> [f64; 3] {
+    std::array::from_fn(|k| a[k][1].min(b[k][1]) - a[k][0].max(b[k][0]))
+}
+
+/// Sides of the rectangle in which two boxes touch, the shorter first; `None` where they do not
+/// touch in a face.
+pub fn touching(a: &Extent, b: &Extent) -> Option<[f64; 2]> {
+    let mut sides = common(a, b);
+    sides.sort_by(f64::total_cmp);
+    (sides[0] > -SAME_PLACE && sides[1] > SAME_PLACE).then_some([sides[1], sides[2]])
+}
+
+/// The parts of a box on both sides of a block that cuts it right through; otherwise the box.
+pub fn cut(of: Extent, block: &Extent) -> Vec<Extent> {
+    let covers =
+        |k: usize| block[k][0] <= of[k][0] + SAME_PLACE && block[k][1] >= of[k][1] - SAME_PLACE;
+    let inside =
+        |k: usize| block[k][0] > of[k][0] + SAME_PLACE && block[k][1] < of[k][1] - SAME_PLACE;
+    match (0..3).find(|&k| inside(k) && (0..3).all(|l| l == k || covers(l))) {
+        None => vec![of],
+        Some(k) => {
+            let (mut low, mut high) = (of, of);
+            (low[k][1], high[k][0]) = (block[k][0], block[k][1]);
+            vec![low, high]
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_web_cuts_a_stiffener_in_two_and_a_plate_beside_it_stays_whole() {
+        let stiffener = [[-85.0, 85.0], [-100.0, 100.0], [140.0, 150.0]];
+        let web = [[-85.0, 85.0], [-4.5, 4.5], [-500.0, 500.0]];
+        let halves = cut(stiffener, &web);
+        assert_eq!(halves.iter().map(|h| h[1]).collect::<Vec<_>>(), [[-100.0, -4.5], [4.5, 100.0]]);
+        let doubler = [[-67.0, 67.0], [4.5, 12.5], [-165.0, 230.0]];
+        assert_eq!(cut(doubler, &web), [doubler]);
+    }
+
+    #[test]
+    fn boxes_touch_in_faces_and_not_in_edges() {
+        let a = [[0.0, 10.0], [0.0, 20.0], [0.0, 30.0]];
+        let beside = |x: f64, y: f64| [[x, x + 10.0], [y, y + 5.0], [0.0, 30.0]];
+        assert_eq!(touching(&a, &beside(10.0, 0.0)), Some([5.0, 30.0]));
+        assert_eq!(touching(&a, &beside(10.0, 20.0)), None, "an edge");
+        assert_eq!(touching(&a, &beside(11.0, 0.0)), None, "apart");
+    }
+}
