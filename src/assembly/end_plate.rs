@@ -3,6 +3,7 @@
 
 use super::actions::PlaneActions;
 use super::column_ends::ColumnEnds;
+use super::column_span::ColumnSpan;
 use super::content::NotChecked;
 use super::error::AssemblyError;
 use super::factors::PartialFactors;
@@ -66,6 +67,8 @@ pub struct ColumnSide {
     pub shear: f64,
     /// System length of the column (its storey height), if the spec gives it.
     pub system_length: Option<f64>,
+    /// The column of the model between its supports; `None` where it is not known as a beam.
+    pub span: Option<ColumnSpan>,
 }
 
 impl ColumnSide {
@@ -336,6 +339,7 @@ pub(super) fn end_plate(
                 doubler: or_none("doubler", &entry.doubler)?,
                 beta,
                 system_length: system_length(column),
+                span: None,
             })
         }
     };

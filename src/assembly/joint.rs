@@ -3,6 +3,7 @@
 use super::actions;
 use super::assembly::{Assembly, Part};
 use super::builder::{BoltLine, Context};
+use super::column_span::column_span;
 use super::content::Content;
 use super::coverage;
 use super::end_plate::{EndPlate, end_plate};
@@ -145,6 +146,11 @@ pub fn build_from(
     };
     let mut end_plate =
         end_plate(&spec.value, template, (&inputs, &scope), &small, actions).map_err(alone)?;
+    let role = template.hand_checks.as_ref().and_then(|h| h.column.as_ref());
+    let column = end_plate.as_mut().and_then(|e| e.column.as_mut());
+    if let (Some(column), Some(role)) = (column, role) {
+        column.span = column_span(&context, &assembly, &frames, role).map_err(alone)?;
+    }
     let mut content = context.content().map_err(alone)?;
     if let (Some(seen), Some(entry)) = (&mut end_plate, &template.hand_checks) {
         context.all_seen(&assembly, &frames, seen).map_err(alone)?;

@@ -5,6 +5,7 @@ pub mod actions;
 pub mod assembly;
 mod builder;
 pub mod column_ends;
+pub mod column_span;
 pub mod content;
 mod coverage;
 pub mod end_plate;

@@ -38,7 +38,7 @@ pub struct Placed<'a> {
 
 impl Placed<'_> {
     /// Axis of the flanges' width.
-    fn width(&self) -> usize {
+    pub fn width(&self) -> usize {
         3 - self.along - self.depth
     }
 

@@ -17,6 +17,7 @@ mod clamped_plates;
 mod class_checks;
 mod column_checks;
 mod column_forces;
+mod column_flexibility;
 mod comparison;
 mod component_joint;
 mod component_tables;

@@ -73,6 +73,28 @@ impl Context<'_> {
         Ok(out)
     }
 
+    /// All lengths of profile with a member role, and the parts that they belong to.
+    pub(in crate::assembly) fn lengths_of(
+        &self,
+        role: &str,
+    ) -> Result<Vec<(String, Placed<'_>)>, AssemblyError> {
+        let mut out = Vec::new();
+        for entry in &self.template.parts {
+            let at = entry.name.as_str();
+            for scope in within(at, self.scope.turns(&entry.each, entry.when.as_ref()))? {
+                let part = within(at, scope.text(at))?;
+                for shape in self.shapes(entry, &scope)? {
+                    if let Body::Profile(member, placed) = shape.body
+                        && member == role
+                    {
+                        out.push((part.clone(), placed));
+                    }
+                }
+            }
+        }
+        Ok(out)
+    }
+
     /// Members, plates and bolts of the joint. The hand checks know none of them yet.
     pub(in crate::assembly) fn content(&self) -> Result<Content, AssemblyError> {
         let mut out = Content::default();

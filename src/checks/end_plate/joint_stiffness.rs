@@ -1,6 +1,7 @@
 //! Initial stiffness of a joint from the bracket of the rotation in an elastic analysis, and its
 //! class by stiffness.
 
+use super::column_flexibility::column_flexibility;
 use crate::assembly::{EndPlate, PlaneActions};
 use crate::checks::classification::{Frame, StiffnessClass, stiffness_limits};
 use crate::checks::component_method::Assessment;
@@ -29,9 +30,10 @@ pub struct PureMoment {
     pub system_length: Option<f64>,
     /// Whether the joint is between a beam and a column, so that the boundaries of 5.2.2.5 apply.
     pub column: bool,
-    /// Whether the moment bends the column, so that φ contains the bending of the column between
-    /// its supports.
-    pub bends_column: bool,
+    /// Rotation of the column between its supports by beam theory, without the shear strain of its
+    /// web panel under the moment \[rad\]: 0 where the moment does not bend the column, negative
+    /// where the column relieves its panel by more than it bends. `None`: not known.
+    pub column_rotation: Option<f64>,
     /// S_j,ini of the component method \[N mm/rad\].
     pub component_method: f64,
 }
@@ -66,15 +68,18 @@ impl PureMoment {
             flexural,
             system_length: e.system_length,
             column: e.column.is_some(),
-            bends_column: beta != 0.0,
+            column_rotation: match beta {
+                0.0 => Some(0.0),
+                _ => column_flexibility(e).map(|flexibility| my.abs() * flexibility),
+            },
             component_method: assessment.stiffness.initial.value,
         })
     }
 }
 
-/// Bracket of S_j,ini. The rotation of the joint is that of the loaded section less the bending of
-/// the beam. It contains the deformation of plates, bolts, contact, column web and flanges, and
-/// where [`PureMoment::bends_column`] is true the bending of the column between its supports.
+/// Bracket of S_j,ini. The rotation of the joint is that of the loaded section less those of the
+/// members, beam and column. It contains the deformation of plates, bolts, contact, column web and
+/// flanges, the components of EN 1993-1-8:2005 6.3.1(1).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct JointStiffness {
     /// Member ends, each under the moment.
@@ -85,12 +90,14 @@ pub struct JointStiffness {
     pub rotation: [f64; 2],
     /// M L/(E I_b) of the beam, subtracted from it \[rad\].
     pub beam_rotation: f64,
-    /// Whether the rotation of the joint contains the bending of the column between its supports.
-    pub contains_column: bool,
+    /// Rotation of the column by beam theory, subtracted from it \[rad\]; 0 where the moment does not
+    /// bend the column. Negative where supports near the joint let the shear force of the column
+    /// relieve its web panel by more than the column bends.
+    pub column_rotation: f64,
     /// Lower bound of S_j,ini \[N mm/rad\].
     pub lower: f64,
     /// Upper bound of S_j,ini \[N mm/rad\]; absent where the least rotation is at most that
-    /// of the beam.
+    /// of the members.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub upper: Option<f64>,
     /// S_j,ini of the component method \[N mm/rad\].
@@ -123,22 +130,20 @@ pub struct FrameClass {
 
 impl JointStiffness {
     /// From the bracket of the loaded sections' rotation \[rad\] under `total`, the sum of the
-    /// moments \[N mm\]; `None` where the load of the analysis is anything else than these moments,
-    /// equal and at one end or two.
+    /// moments \[N mm\]; `None` where the rotation of the column is not known, and where the load of
+    /// the analysis is anything else than these moments, equal and at one end or two.
     pub fn new(case: &[&PureMoment], total: f64, rotation: [f64; 2]) -> Option<Self> {
         let first = *case.first()?;
         let sum: f64 = case.iter().map(|m| m.moment).sum();
         let alike = case.iter().all(|m| (m.moment / first.moment - 1.0).abs() <= 1e-9);
         // two moments bracket the mean of two rotations, which are equal where the moments balance
-        let balanced = case.len() == 1 || !first.bends_column;
-        if !alike
-            || !balanced
-            || (total / sum - 1.0).abs() > 1e-6
-            || rotation[1] <= first.beam_rotation
-        {
+        let column = first.column_rotation?;
+        let balanced = case.len() == 1 || case.iter().all(|m| m.column_rotation == Some(0.0));
+        let members = first.beam_rotation + column;
+        if !alike || !balanced || (total / sum - 1.0).abs() > 1e-6 || rotation[1] <= members {
             return None;
         }
-        let [low, high] = rotation.map(|phi| phi - first.beam_rotation);
+        let [low, high] = rotation.map(|phi| phi - members);
         let lower = first.moment / high;
         let upper = (low > 0.0).then(|| first.moment / low);
         let frames = [Frame::Braced, Frame::Unbraced].into_iter().filter(|_| first.column);
@@ -147,7 +152,7 @@ impl JointStiffness {
             moment: first.moment,
             rotation,
             beam_rotation: first.beam_rotation,
-            contains_column: first.bends_column,
+            column_rotation: column,
             lower,
             upper,
             component_method: first.component_method,
@@ -158,8 +163,8 @@ impl JointStiffness {
 
 impl JointStiffness {
     /// The same joint under a recomputed `total` and a recomputed bracket of the rotation. Values
-    /// that do not come from the analysis stay as reported: rotation and flexural stiffness of the
-    /// beam, and the component method. The class at the beam's own length is left out, because the
+    /// that do not come from the analysis stay as reported: rotations of the members, flexural
+    /// stiffness of the beam, and the component method. The class at the beam's own length is left out, because the
     /// result does not contain that length.
     pub fn again(&self, total: f64, rotation: [f64; 2]) -> Option<Self> {
         let flexural =
@@ -172,7 +177,7 @@ impl JointStiffness {
             flexural,
             system_length: None,
             column: !self.classes.is_empty(),
-            bends_column: self.contains_column,
+            column_rotation: Some(self.column_rotation),
             component_method: self.component_method,
         });
         let each: Vec<PureMoment> = each.collect();
@@ -224,27 +229,27 @@ impl FrameClass {
 mod tests {
     use super::*;
 
-    /// E I = 1e12 N mm², 1 kN m, beam rotation 1 mrad.
+    /// E I = 1e12 N mm², 1 kN m, rotations of 0.6 mrad of the beam and 0.4 mrad of the column.
     fn moment(end: &str) -> PureMoment {
         PureMoment {
             case: "A".into(),
             end: end.into(),
             moment: 1e6,
-            beam_rotation: 1e-3,
+            beam_rotation: 0.6e-3,
             flexural: 1e12,
             system_length: Some(5000.0),
             column: true,
-            bends_column: true,
+            column_rotation: Some(0.4e-3),
             component_method: 2e8,
         }
     }
 
-    /// φ between 3 and 6 mrad, 1 of them the beam's: S between 1/5 and 1/2 kN m/mrad. With E I/L =
+    /// φ between 3 and 6 mrad, 1 of them the members': S between 1/5 and 1/2 kN m/mrad. With E I/L =
     /// 0.2 kN m/mrad the boundaries are 0.1 and
     /// 1.6 (braced) or 5 (other frames), so that the joint is semi-rigid; where a boundary lies
     /// inside the bracket the class is open.
     #[test]
-    fn the_beam_is_taken_out_and_the_class_is_three_valued() {
+    fn the_members_are_taken_out_and_the_class_is_three_valued() {
         let s = JointStiffness::new(&[&moment("r")], 1e6, [3e-3, 6e-3]).expect("one moment");
         assert!(
             (s.lower / 2e8 - 1.0).abs() < 1e-12
@@ -281,11 +286,12 @@ mod tests {
         assert!(found(&reported));
         let more = |x: &mut f64| *x *= 1.001;
         type Change<'a> = &'a dyn Fn(&mut JointStiffness);
-        let changes: [Change<'_>; 12] = [
+        let changes: [Change<'_>; 13] = [
             &|s| more(&mut s.moment),
             &|s| more(&mut s.rotation[0]),
             &|s| more(&mut s.rotation[1]),
             &|s| more(&mut s.beam_rotation),
+            &|s| more(&mut s.column_rotation),
             &|s| more(&mut s.lower),
             &|s| s.upper.iter_mut().for_each(more),
             &|s| s.upper = None,
@@ -307,7 +313,7 @@ mod tests {
         assert!(reported.again(2e6, phi).is_none(), "another load");
     }
 
-    /// A bracket of the rotation that includes the beam's rotation gives no upper bound of the
+    /// A bracket of the rotation that includes the members' rotation gives no upper bound of the
     /// stiffness; a bracket below it gives no stiffness.
     #[test]
     fn a_stiff_joint_may_have_no_upper_bound() {
@@ -326,10 +332,25 @@ mod tests {
         let phi = [3e-3, 6e-3];
         assert!(JointStiffness::new(&[&right], 1.1e6, phi).is_none());
         assert!(JointStiffness::new(&[&right, &left], 2e6, phi).is_none(), "they bend the column");
-        let [right, left] = [right, left].map(|m| PureMoment { bends_column: false, ..m });
+        let [right, left] =
+            [right, left].map(|m| PureMoment { column_rotation: Some(0.0), ..m });
         assert!(JointStiffness::new(&[&right, &left], 2e6, phi).is_some());
         let more = PureMoment { moment: 1.5e6, ..left };
         assert!(JointStiffness::new(&[&right, &more], 2.5e6, phi).is_none());
         assert!(JointStiffness::new(&[], 1e6, phi).is_none());
+    }
+
+    /// A column that is not known as a beam cannot be taken out: no stiffness and no class. One
+    /// that relieves its panel makes the joint softer than the whole.
+    #[test]
+    fn the_rotation_of_the_column_must_be_known() {
+        let of = |column_rotation| {
+            let m = PureMoment { column_rotation, ..moment("r") };
+            JointStiffness::new(&[&m], 1e6, [3e-3, 6e-3])
+        };
+        assert_eq!(of(None), None);
+        // 1 kN m over 6 − 0.6 + 0.6 mrad
+        let lower = of(Some(-0.6e-3)).expect("known").lower;
+        assert!((lower * 6e-3 / 1e6 - 1.0).abs() < 1e-12, "{lower}");
     }
 }

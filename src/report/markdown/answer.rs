@@ -109,16 +109,12 @@ fn meaning(page: &mut String, case: &CaseResult, data: &ReportData) {
             } else {
                 ""
             };
-            let [soft, stiff] = [high, low].map(|u| load.value() * load.scale() / u);
-            let (soft, stiff) = bracket(soft, stiff, 3);
             paragraph(
                 page,
                 &format!(
                     "The load of the whole structure is {}. Its {what}{mean} {word} between {a} \
-                     and {b} {unit}, so the initial stiffness is between {soft} and {stiff} \
-                     {}/{unit}.",
-                    load.words(),
-                    load.unit()
+                     and {b} {unit}.",
+                    load.words()
                 ),
             );
         }

@@ -17,34 +17,39 @@ pub(crate) fn lines(page: &mut String, case: &CaseResult) {
     let (low, high) = bracket(1e3 * s.rotation[0], 1e3 * s.rotation[1], 3);
     let each = if s.ends.len() > 1 { " each" } else { "" };
     let sections = if s.ends.len() > 1 { "the loaded sections" } else { "the loaded section" };
-    let mut parts = String::from("plates, bolts and contact");
-    if !s.classes.is_empty() {
-        parts += ", web and flanges of the column";
-    }
-    if s.contains_column {
-        parts += ", and the bending of the column between its supports";
-    }
+    let parts = match s.classes.is_empty() {
+        true => "plates, bolts and contact",
+        false => "plates, bolts, contact, web and flanges of the column",
+    };
     let range = match s.upper {
         Some(upper) => {
             let (a, b) = bracket(1e-6 * s.lower, 1e-6 * upper, 3);
-            format!("lies between **{a}** and **{b}** kN m/rad")
+            format!("lies between {a} and {b} kN m/rad")
         }
         None => format!(
-            "is at least **{}** kN m/rad; there is no upper bound, because the lower bound of the \
-             rotation does not exceed the rotation of the beam",
+            "is at least {} kN m/rad; there is no upper bound, because the lower bound of the \
+             rotation does not exceed the rotation of the members",
             significant(1e-6 * s.lower, 3, Rounding::Down)
+        ),
+    };
+    let beam = per_mille(s.beam_rotation, Rounding::Nearest);
+    let members = match s.column_rotation {
+        0.0 => format!("Of this, {beam} mrad is the bending of the beam, M L/(E I_b)"),
+        column => format!(
+            "Of this, {beam} mrad is the bending of the beam, M L/(E I_b), and {} mrad that of the \
+             column between its supports, with the relief of its panel by its shear force",
+            per_mille(column, Rounding::Nearest)
         ),
     };
     paragraph(
         page,
         &inline(&format!(
-            "{}, {}: M = {}{each} rotates {sections} by between {low} and {high} mrad. Of this, \
-             {} mrad is the bending of the beam, M L/(E I_b), and is subtracted. The rest is the \
-             rotation of the joint: {parts}. Its initial stiffness S_j,ini {range}{}.",
+            "{}, {}: M = {}{each} rotates {sections} by between {low} and {high} mrad. {members}; \
+             this is subtracted. The rest is the rotation of the joint: {parts}. Its initial \
+             stiffness S_j,ini {range}{}.",
             case.name,
             s.ends.join(" and "),
             Unit::Moment.show(s.moment),
-            per_mille(s.beam_rotation, Rounding::Nearest),
             method(s)
         )),
     );
@@ -114,7 +119,7 @@ mod tests {
             moment: 40e6,
             rotation: [3e-3, 5e-3],
             beam_rotation: 1e-3,
-            contains_column: true,
+            column_rotation: 5e-4,
             lower: 1e10,
             upper: Some(2e10),
             component_method: 1.6e10,
