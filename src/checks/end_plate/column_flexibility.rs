@@ -11,16 +11,19 @@
 //!    ┴ foot
 //! ```
 //!
-//! R and Q make the strain energy least. The energy z (M/z)²/(2 G A_vc) of the panel under M/z
-//! alone is left out: it is that of the web panel in shear, a component of the joint (k1 of Table
-//! 6.11 with β = 1).
+//! R and Q make the strain energy least. The energy z (M/z)²/(2 G A_v) of the panel under M/z alone
+//! is left out: it is that of the web panel in shear, a component of the joint (k1 of Table 6.11
+//! with β = 1).
 
 use crate::assembly::EndPlate;
 use crate::assembly::column_span::ColumnSpan;
-use crate::checks::eurocode::i_section::Section;
+use crate::catalog::IProfile;
 
 /// Poisson's ratio of steel, EN 1993-1-1:2005 3.2.6.
 const POISSON: f64 = 0.3;
+
+/// Strips of half a web for its shear stress.
+const STRIPS: u32 = 400;
 
 /// A column between its supports, under the couple of the beam's flanges. Lengths in mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,9 +33,9 @@ struct ColumnBeam {
     lever: f64,
     /// E I \[N mm²\].
     flexural: f64,
-    /// G A_vc \[N\].
+    /// G A_v of the section \[N\].
     shear: f64,
-    /// G A_vc of the panel, a doubler included \[N\].
+    /// G A_v of the panel, a doubler included \[N\].
     panel: f64,
 }
 
@@ -42,13 +45,12 @@ struct ColumnBeam {
 /// relieves the panel by more than the column bends.
 ///
 /// # Source
-/// Beam theory with shear; A_vc of EN 1993-1-1:2005 6.2.6(3); the shear force of the column in the
-/// panel as in EN 1993-1-8:2005 5.3(3).
+/// Beam theory with shear; the shear force of the column in the panel as in EN 1993-1-8:2005 5.3(3).
 pub(super) fn column_flexibility(e: &EndPlate) -> Option<f64> {
     let c = e.column.as_ref()?;
     let young = c.steel.e;
     let modulus = young / (2.0 * (1.0 + POISSON));
-    let area = Section::from(&c.section).shear_area();
+    let area = shear_area(&c.section);
     // a doubler lies on the flat of the web
     let flat = c.section.h - 2.0 * (c.section.tf + c.section.r);
     let column = ColumnBeam {
@@ -60,6 +62,41 @@ pub(super) fn column_flexibility(e: &EndPlate) -> Option<f64> {
         panel: modulus * (area + c.doubler * flat),
     };
     column.flexibility()
+}
+
+/// Area A_v by which the shear force along the web bends a section: V²/(2 G A_v) is the energy per
+/// length of the shear stress in web, root fillets and flanges \[mm²\].
+///
+/// # Source
+/// Shear formula of beams: τ = V S/(I t) in the web, S the first moment beyond the cut; in the
+/// flanges τ = V a y/I along their width, a their distance from the axis and y the distance from
+/// their tips.
+fn shear_area(p: &IProfile) -> f64 {
+    let arm = 0.5 * (p.h - p.tf);
+    let edge = 0.5 * p.h - p.tf;
+    let outstand = 0.5 * (p.b - p.tw);
+    // thickness of the web at a distance d from the flange
+    let thickness = |d: f64| {
+        let in_root = (p.r - d).max(0.0);
+        p.tw + 2.0 * (p.r - (p.r * p.r - in_root * in_root).sqrt())
+    };
+    // by midpoints from the flange to the axis: moments of inertia and first moment
+    let step = edge / f64::from(STRIPS);
+    let (mut first, mut second, mut energy) = (p.b * p.tf * arm, 0.0, 0.0);
+    for i in 0..STRIPS {
+        let d = (f64::from(i) + 0.5) * step;
+        let (t, z) = (thickness(d), edge - d);
+        let strip = t * z * step;
+        let at = first + 0.5 * strip;
+        energy += at * at / t * step;
+        first += strip;
+        second += strip * z;
+    }
+    second += p.b * p.tf * (arm * arm + p.tf * p.tf / 12.0);
+    // two outstands in each half
+    let flange = 2.0 * p.tf * arm * arm * outstand.powi(3) / 3.0;
+    let inertia = 2.0 * second;
+    inertia * inertia / (2.0 * (energy + flange))
 }
 
 impl ColumnBeam {
@@ -116,6 +153,7 @@ impl ColumnBeam {
 mod tests {
     use super::*;
     use crate::assembly::column_span::{ColumnArm, EndHold};
+    use crate::catalog::Catalog;
 
     const CLAMPED: EndHold = EndHold { sideways: true, rotation: true };
     const PINNED: EndHold = EndHold { sideways: true, rotation: false };
@@ -165,6 +203,31 @@ mod tests {
             assert_eq!(column([a, b], holds, 1e-3, 1e30).flexibility(), None, "{holds:?}");
         }
         assert_eq!(column([100.0, b], [PINNED; 2], 300.0, 1e9).flexibility(), None);
+    }
+
+    /// Without flanges it is the rectangle, A_v = 5/6 A. For thin walls without fillets the energy
+    /// has a closed form: with q = b t_f h/2 the first moment of a flange and S(z) = q + t_w
+    /// (c² − z²)/2 over half of the web's depth c.
+    #[test]
+    fn the_shear_area_is_that_of_the_shear_formula() {
+        let catalog = Catalog::builtin().expect("tables");
+        let hea300 = catalog.profile("HEA300").expect("a profile");
+        let bare = IProfile { b: 10.0, tw: 10.0, r: 0.0, ..hea300.clone() };
+        let found = shear_area(&bare);
+        assert!((found / (5.0 / 6.0 * 10.0 * bare.h) - 1.0).abs() < 0.02, "{found}");
+        let p = IProfile { r: 0.0, ..hea300.clone() };
+        let (c, a) = (0.5 * p.h - p.tf, 0.5 * (p.h - p.tf));
+        let (q, k) = (p.b * p.tf * a, 0.5 * p.tw);
+        // ∫ (q + k (c² − z²))² dz from 0 to c
+        let square = q * q * c + 4.0 / 3.0 * q * k * c.powi(3) + 8.0 / 15.0 * k * k * c.powi(5);
+        let tips = 2.0 * p.tf * a * a * (0.5 * (p.b - p.tw)).powi(3) / 3.0;
+        let inertia = (p.b * p.h.powi(3) - (p.b - p.tw) * (2.0 * c).powi(3)) / 12.0;
+        let closed = inertia * inertia / (2.0 * (square / p.tw + tips));
+        let found = shear_area(&p);
+        assert!((found / closed - 1.0).abs() < 1e-4, "{found} {closed}");
+        // fillets add some per cent
+        let whole = shear_area(hea300);
+        assert!(whole > 1.02 * found && whole < 1.1 * found, "{whole} {found}");
     }
 
     /// Simply supported, R = M/l is known by statics, so that the energy can be written down:

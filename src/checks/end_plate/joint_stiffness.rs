@@ -332,8 +332,7 @@ mod tests {
         let phi = [3e-3, 6e-3];
         assert!(JointStiffness::new(&[&right], 1.1e6, phi).is_none());
         assert!(JointStiffness::new(&[&right, &left], 2e6, phi).is_none(), "they bend the column");
-        let [right, left] =
-            [right, left].map(|m| PureMoment { column_rotation: Some(0.0), ..m });
+        let [right, left] = [right, left].map(|m| PureMoment { column_rotation: Some(0.0), ..m });
         assert!(JointStiffness::new(&[&right, &left], 2e6, phi).is_some());
         let more = PureMoment { moment: 1.5e6, ..left };
         assert!(JointStiffness::new(&[&right, &more], 2.5e6, phi).is_none());

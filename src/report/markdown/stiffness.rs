@@ -112,6 +112,7 @@ fn row(c: &FrameClass) -> Vec<String> {
 mod tests {
     use super::*;
     use crate::checks::classification::StiffnessClass;
+    use crate::result::fixtures;
 
     fn stiffness() -> JointStiffness {
         JointStiffness {
@@ -148,6 +149,19 @@ mod tests {
         );
         let open = method(&JointStiffness { upper: None, ..s });
         assert!(open.ends_with("above the lower bound: FE_low/CM = 0.625"), "{open}");
+    }
+
+    /// The paragraph is plain text: no mark of Markdown is left in it. It names both members.
+    #[test]
+    fn no_mark_stands_in_the_paragraph() {
+        let mut page = String::new();
+        let case = CaseResult { joint_stiffness: Some(stiffness()), ..fixtures::case() };
+        lines(&mut page, &case);
+        let (a, b) = bracket(1e4, 2e4, 3);
+        assert!(page.contains(&format!("S_j,ini lies between {a} and {b} kN m/rad")), "{page}");
+        assert!(page.contains("1.000 mrad is the bending of the beam"), "{page}");
+        assert!(page.contains("0.5000 mrad that of the column"), "{page}");
+        assert!(!page.contains('*'), "{page}");
     }
 
     /// The lengths are on the safe side, and a class that the bracket does not decide is undecided.
