@@ -87,8 +87,8 @@ fn a_shear_force_or_a_gap_gives_no_stiffness() {
 fn one_sided([above, below, beam]: [u32; 3]) -> String {
     format!(
         "template: beam_to_column_end_plate\nmembers: {{column: {{profile: HEB160, steel: S235}}, \
-         beam: {{profile: IPE200, steel: S235, length: 6 m}}}}\nplate: {{thickness: 12, width: 120, \
-         z: [-110, 110]}}\nbolts: {{size: M16, grade: \"8.8\", gauge: 80, rows: [-60, \
+         beam: {{profile: IPE200, steel: S235, length: 6 m}}}}\nplate: {{thickness: 12, width: \
+         120, z: [-110, 110]}}\nbolts: {{size: M16, grade: \"8.8\", gauge: 80, rows: [-60, \
          60]}}\nparameters: {{column_above: {above}, column_below: {below}, beam_length: {beam}, \
          column_stiffeners: false}}\nfriction: {{mu: 0}}\nloads: [{{name: A, end: beam_right, at: \
          bolt_plane, My: 10 kN m}}]\n"

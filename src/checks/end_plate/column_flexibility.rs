@@ -45,7 +45,8 @@ struct ColumnBeam {
 /// relieves the panel by more than the column bends.
 ///
 /// # Source
-/// Beam theory with shear; the shear force of the column in the panel as in EN 1993-1-8:2005 5.3(3).
+/// Beam theory with shear; the shear force of the column in the panel as in EN 1993-1-8:2005
+/// 5.3(3).
 pub(super) fn column_flexibility(e: &EndPlate) -> Option<f64> {
     let c = e.column.as_ref()?;
     let young = c.steel.e;
@@ -160,8 +161,8 @@ mod tests {
     const FREE: EndHold = EndHold { sideways: false, rotation: false };
     const GUIDED: EndHold = EndHold { sideways: false, rotation: true };
 
-    /// E I = 1e13 N mm²; without shear strain and with a short panel it is a bar under a couple at a
-    /// point.
+    /// E I = 1e13 N mm²; without shear strain and with a short panel it is a bar under a couple at
+    /// a point.
     fn column([a, b]: [f64; 2], [head, foot]: [EndHold; 2], z: f64, shear: f64) -> ColumnBeam {
         let span = ColumnSpan {
             above: ColumnArm { length: a, hold: head },

@@ -90,9 +90,9 @@ pub struct JointStiffness {
     pub rotation: [f64; 2],
     /// M L/(E I_b) of the beam, subtracted from it \[rad\].
     pub beam_rotation: f64,
-    /// Rotation of the column by beam theory, subtracted from it \[rad\]; 0 where the moment does not
-    /// bend the column. Negative where supports near the joint let the shear force of the column
-    /// relieve its web panel by more than the column bends.
+    /// Rotation of the column by beam theory, subtracted from it \[rad\]; 0 where the moment does
+    /// not bend the column. Negative where supports near the joint let the shear force of the
+    /// column relieve its web panel by more than the column bends.
     pub column_rotation: f64,
     /// Lower bound of S_j,ini \[N mm/rad\].
     pub lower: f64,
@@ -130,8 +130,8 @@ pub struct FrameClass {
 
 impl JointStiffness {
     /// From the bracket of the loaded sections' rotation \[rad\] under `total`, the sum of the
-    /// moments \[N mm\]; `None` where the rotation of the column is not known, and where the load of
-    /// the analysis is anything else than these moments, equal and at one end or two.
+    /// moments \[N mm\]; `None` where the rotation of the column is not known, and where the load
+    /// of the analysis is anything else than these moments, equal and at one end or two.
     pub fn new(case: &[&PureMoment], total: f64, rotation: [f64; 2]) -> Option<Self> {
         let first = *case.first()?;
         let sum: f64 = case.iter().map(|m| m.moment).sum();
@@ -164,8 +164,8 @@ impl JointStiffness {
 impl JointStiffness {
     /// The same joint under a recomputed `total` and a recomputed bracket of the rotation. Values
     /// that do not come from the analysis stay as reported: rotations of the members, flexural
-    /// stiffness of the beam, and the component method. The class at the beam's own length is left out, because the
-    /// result does not contain that length.
+    /// stiffness of the beam, and the component method. The class at the beam's own length is left
+    /// out, because the result does not contain that length.
     pub fn again(&self, total: f64, rotation: [f64; 2]) -> Option<Self> {
         let flexural =
             self.classes.first().map_or(1.0, |c| c.rigid_from * self.lower / c.frame.factor());
@@ -244,10 +244,9 @@ mod tests {
         }
     }
 
-    /// φ between 3 and 6 mrad, 1 of them the members': S between 1/5 and 1/2 kN m/mrad. With E I/L =
-    /// 0.2 kN m/mrad the boundaries are 0.1 and
-    /// 1.6 (braced) or 5 (other frames), so that the joint is semi-rigid; where a boundary lies
-    /// inside the bracket the class is open.
+    /// φ between 3 and 6 mrad, 1 of them the members': S between 1/5 and 1/2 kN m/mrad. With
+    /// E I/L = 0.2 kN m/mrad the boundaries are 0.1 and 1.6 (braced) or 5 (other frames), so that
+    /// the joint is semi-rigid; where a boundary lies inside the bracket the class is open.
     #[test]
     fn the_members_are_taken_out_and_the_class_is_three_valued() {
         let s = JointStiffness::new(&[&moment("r")], 1e6, [3e-3, 6e-3]).expect("one moment");
