@@ -10,7 +10,7 @@ mod parse;
 mod typed;
 
 pub use dim::{Dim, Quantity, unit};
-pub use parse::{Kind, UnitError, bare, parse, with_point};
+pub use parse::{Kind, UnitError, bare, parse, plain_minus, with_point};
 pub use typed::{Force, INVALID_QUANTITY, Length, Moment, Seconds, Stress};
 
 #[cfg(test)]

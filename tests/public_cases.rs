@@ -24,6 +24,8 @@ mod small_actions;
 mod given_input;
 #[path = "public_cases/outside_range.rs"]
 mod outside_range;
+#[path = "public_cases/printout.rs"]
+mod printout;
 #[path = "public_cases/real_ends.rs"]
 mod real_ends;
 #[path = "public_cases/units.rs"]

@@ -3,6 +3,7 @@
 use super::cache::Cache;
 use super::case::Case;
 use super::choice::{self, Decider};
+use super::chosen_joints::title;
 use super::forecast::{TimeLeft, elements, time_limit};
 use super::part::Part;
 use super::plan::{Header, Plan};
@@ -138,16 +139,6 @@ impl Open<'_> {
             forecast: elements(of_analysis).min(limits.time.as_secs_f64()),
         })
     }
-}
-
-/// Adds the name of the case to the title of its report.
-fn title(spec: &mut serde_json::Value, name: &str) {
-    let title = spec["project"]["title"].as_str().map(str::to_owned);
-    let title = title.map_or_else(|| name.to_string(), |t| format!("{t}: {name}"));
-    if spec["project"].is_null() {
-        spec["project"] = serde_json::json!({});
-    }
-    spec["project"]["title"] = title.into();
 }
 
 fn process_limits(header: &Header, of_analysis: Option<f64>, memory: u64) -> ProcessLimits {

@@ -5,6 +5,7 @@ use super::spec_path::SpecPath;
 use crate::catalog::{Catalog, IProfile};
 use crate::diag::{Diagnostic, Place};
 use crate::spec::yaml::PlaceIndex;
+use crate::units::plain_minus;
 use serde_json::{Map, Number, Value};
 
 /// Most values of one axis; a range with a tiny step is a slip of the pen.
@@ -113,7 +114,7 @@ fn numbers(range: &Map<String, Value>) -> Result<Vec<Value>, String> {
     let read = |key: &str| match range.get(key) {
         Some(Value::Number(n)) => Ok((n.as_f64().unwrap_or(f64::NAN), String::new())),
         Some(Value::String(text)) => {
-            let text = text.trim();
+            let text = plain_minus(text.trim());
             let split = text.find(|c: char| c.is_alphabetic()).unwrap_or(text.len());
             let number = text[..split].trim();
             let value = number.parse().map_err(|_| format!("`{key}: {text}` is not a number"))?;
@@ -182,6 +183,8 @@ mod tests {
             ["0.1 kN", "0.2 kN", "0.3 kN"].map(|x| json!(x))
         );
         assert_eq!(flat("x", json!({"from": 3, "to": 1, "step": -1})).len(), 3);
+        let pasted = json!({"from": "−2 kN", "to": "0 kN", "step": "1 kN"});
+        assert_eq!(flat("x", pasted), ["-2 kN", "-1 kN", "0 kN"].map(|x| json!(x)));
         assert_eq!(
             flat("members.beam.profile", json!("IPE200..IPE270")),
             ["IPE200", "IPE220", "IPE240", "IPE270"].map(|x| json!(x))

@@ -1,17 +1,22 @@
 //! The chosen joints: a row for each group.
 
+use super::chosen_joints::ChosenJoint;
 use super::merged::Merged;
 use super::plan::Plan;
 use super::results_table::finite;
 use super::row::{LoadRow, Record};
-use crate::math::figures::{Rounding, fixed};
+use crate::math::figures::{Rounding, fixed, utilisation};
 use crate::report::markdown::markup::inline;
 use serde_json::{Map, Value, json};
 
 /// The rows of the chosen joints: names of columns with their values; null where there is none.
-pub fn rows(plan: &Plan, merged: &Merged) -> Vec<Map<String, Value>> {
+pub fn rows(
+    plan: &Plan,
+    merged: &Merged,
+    joints: &[Option<ChosenJoint>],
+) -> Vec<Map<String, Value>> {
     let mut out = Vec::new();
-    for d in &merged.decisions {
+    for (d, joint) in merged.decisions.iter().zip(joints) {
         let choice = d.choice();
         let record = choice.and_then(|c| merged.records[c.case].as_ref());
         let loads = record.map_or(&[][..], |r| &r.loads);
@@ -39,6 +44,9 @@ pub fn rows(plan: &Plan, merged: &Merged) -> Vec<Map<String, Value>> {
             ("analysed", json!(d.analysed)),
             ("joints", json!(d.joints)),
             ("result", json!(record.filter(|r| r.result).map(Record::folder))),
+            ("values", json!(joint.as_ref().map(|j| &j.values))),
+            ("spec", json!(joint.as_ref().map(|j| &j.spec))),
+            ("report", json!(joint.as_ref().and_then(|j| j.report.as_ref()))),
         ];
         out.push(values.into_iter().map(|(k, v)| (k.to_string(), v)).collect());
     }
@@ -46,9 +54,10 @@ pub fn rows(plan: &Plan, merged: &Merged) -> Vec<Map<String, Value>> {
 }
 
 /// Heads of the table for people, with the columns that they show.
-const SHOWN: [(&str, &str); 8] = [
+const SHOWN: [(&str, &str); 9] = [
     ("group", "group"),
     ("chosen", "chosen"),
+    ("values", "values"),
     ("cost", "cost"),
     ("mass_kg", "mass [kg]"),
     ("bolts", "bolts"),
@@ -82,6 +91,7 @@ pub fn shown(rows: &[Map<String, Value>], least: &str, meshes: bool) -> Shown {
         Value::String(s) => s.clone(),
         // rounded so that nothing looks cheaper or less used than it is
         v => match v.as_f64() {
+            Some(x) if key == "governing_utilisation" => utilisation(x, Rounding::Up),
             Some(x) if v.is_f64() => fixed(x, 3, Rounding::Up),
             _ => v.to_string(),
         },
@@ -105,7 +115,7 @@ impl Shown {
     /// The chosen joints as lines of text, of the first groups, and the sentence.
     pub fn lines(&self, most: usize) -> Vec<String> {
         let one = |row: &Vec<String>| {
-            let [group, chosen, cost, ..] = &row[..] else { return String::new() };
+            let [group, chosen, _, cost, ..] = &row[..] else { return String::new() };
             let group = if group.is_empty() { String::new() } else { format!("{group}: ") };
             let cost = if cost.is_empty() { String::new() } else { format!(", cost {cost}") };
             format!("{group}{chosen}{cost}")

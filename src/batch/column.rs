@@ -2,7 +2,7 @@
 
 use super::spec_path::SpecPath;
 use crate::checks::verdict::Verdict;
-use crate::units::with_point;
+use crate::units::{plain_minus, with_point};
 use serde_json::{Number, Value};
 
 /// What a column holds.
@@ -49,8 +49,17 @@ impl Column {
     }
 }
 
+/// How the numbers of a table are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Decimals {
+    /// Only with a point: the comma separates the cells.
+    Point,
+    /// With a point or a comma: another character separates the cells.
+    PointOrComma,
+}
+
 /// The value of a cell; `None` if it is empty.
-pub fn value(cell: &str, unit: Option<&str>) -> Result<Option<Value>, String> {
+pub fn value(cell: &str, unit: Option<&str>, decimals: Decimals) -> Result<Option<Value>, String> {
     let cell = cell.trim();
     if cell.is_empty() {
         return Ok(None);
@@ -62,23 +71,58 @@ pub fn value(cell: &str, unit: Option<&str>) -> Result<Option<Value>, String> {
         if inner.contains(['[', ']']) {
             return Err("a list within a list: a cell holds a value or one list of values".into());
         }
-        let entries = inner.split([';', ',', ' ']).filter(|e| !e.is_empty());
-        let entries = entries.map(|e| value(e, unit).map(|v| v.unwrap_or(Value::Null)));
+        // between semicolons a comma stands before decimals
+        let commas = decimals == Decimals::PointOrComma && inner.contains(';');
+        let entries = inner.split(|c| matches!(c, ';' | ' ') || (c == ',' && !commas));
+        let entries = entries.filter(|e| !e.is_empty());
+        let entries = entries.map(|e| value(e, unit, decimals).map(|v| v.unwrap_or(Value::Null)));
         return entries.collect::<Result<_, _>>().map(|l| Some(Value::Array(l)));
     }
-    if let Some(number) = with_point(cell) {
-        return Err(format!("`{cell}`: a number has a point before its decimals: `{number}`"));
-    }
-    match (cell.parse::<f64>(), unit) {
+    let pointed = with_point(cell);
+    let text = match (&pointed, decimals) {
+        (Some(number), Decimals::PointOrComma) => number.as_str(),
+        (Some(number), Decimals::Point) => {
+            return Err(format!("`{cell}`: a number has a point before its decimals: `{number}`"));
+        }
+        (None, _) if grouped(cell) => {
+            return Err(format!(
+                "`{cell}` may be {} or {}: write a point before decimals and nothing between \
+                 thousands",
+                cell.replace(',', "."),
+                cell.replace(',', "")
+            ));
+        }
+        (None, _) => cell,
+    };
+    let number = plain_minus(text);
+    match (number.parse::<f64>(), unit) {
         (Ok(x), _) if !x.is_finite() => Err(format!("`{cell}` is not a finite number")),
-        (Ok(_), Some(unit)) => Ok(Some(Value::String(format!("{cell} {unit}")))),
+        (Ok(_), Some(unit)) => Ok(Some(Value::String(format!("{number} {unit}")))),
         (Ok(x), None) => Ok(Number::from_f64(x).map(Value::Number)),
-        (Err(_), _) => Ok(Some(match cell {
+        (Err(_), _) => Ok(Some(match text {
             "true" | "TRUE" => Value::Bool(true),
             "false" | "FALSE" => Value::Bool(false),
             text => Value::String(text.into()),
         })),
     }
+}
+
+/// True for `1,250`, of which nobody knows whether the comma stands before decimals.
+fn grouped(cell: &str) -> bool {
+    let digits = |t: &str| !t.is_empty() && t.bytes().all(|b| b.is_ascii_digit());
+    let number = cell.trim_start_matches(['+', '-', '−']);
+    let number = number.split_whitespace().next().unwrap_or_default();
+    number.split_once(',').is_some_and(|(whole, rest)| digits(whole) && digits(rest))
+}
+
+/// The decimal sign of a cell that is a number: its comma or its point; `None` where it has none.
+pub fn decimal_sign(cell: &str) -> Option<char> {
+    let number = cell.trim().trim_start_matches(['+', '-', '−']);
+    let number = number.split_whitespace().next().unwrap_or_default();
+    let (whole, rest) = number.split_once([',', '.'])?;
+    let digits = |t: &str| !t.is_empty() && t.bytes().all(|b| b.is_ascii_digit());
+    let sign = number[whole.len()..].chars().next();
+    sign.filter(|_| digits(whole) && digits(rest))
 }
 
 /// An expected verdict.
@@ -126,17 +170,41 @@ mod tests {
             ("IPE330", None, Ok(Some(json!("IPE330")))),
             ("[-105; 105]", None, Ok(Some(json!([-105.0, 105.0])))),
             ("TRUE", None, Ok(Some(json!(true)))),
+            ("−12", None, Ok(Some(json!(-12.0)))),
+            ("−43.2", Some("kN m"), Ok(Some(json!("-43.2 kN m")))),
         ] {
-            assert_eq!(value(cell, unit), want, "{cell}");
+            for decimals in [Decimals::Point, Decimals::PointOrComma] {
+                assert_eq!(value(cell, unit, decimals), want, "{cell}");
+            }
+        }
+        for (cell, unit, want) in [
+            ("12,5", None, json!(12.5)),
+            ("-0,125", None, json!(-0.125)),
+            ("−43,25", Some("kN m"), json!("-43.25 kN m")),
+            ("1250,125", None, json!(1250.125)),
+            ("7,5 kN", Some("kN m"), json!("7.5 kN")),
+            ("[-105,5; 105]", None, json!([-105.5, 105.0])),
+            ("[-105,105]", None, json!([-105.0, 105.0])),
+            ("Joint A, left", None, json!("Joint A, left")),
+        ] {
+            assert_eq!(value(cell, unit, Decimals::PointOrComma), Ok(Some(want)), "{cell}");
+        }
+        for cell in ["1,250", "-12,500"] {
+            let fault = value(cell, None, Decimals::PointOrComma).expect_err(cell);
+            assert!(fault.contains("may be"), "{fault}");
         }
         for (cell, why) in [("12,5", "`12.5`"), ("[1; 2", "no end"), ("inf", "not a finite")] {
-            let fault = value(cell, None).expect_err(cell);
+            let fault = value(cell, None, Decimals::Point).expect_err(cell);
             assert!(fault.contains(why), "{cell}: {fault}");
         }
         // the reading of a list within a list would go as deep as the lists
         for depth in [2, 100_000] {
             let cell = format!("{}1{}", "[".repeat(depth), "]".repeat(depth));
-            assert!(value(&cell, None).expect_err("nested").contains("a list within a list"));
+            assert!(
+                value(&cell, None, Decimals::Point)
+                    .expect_err("nested")
+                    .contains("a list within a list")
+            );
         }
         assert_eq!(verdict("NOT OK"), Ok(Some(Verdict::NotOk)));
         assert!(verdict("perhaps").is_err());

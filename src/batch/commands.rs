@@ -6,6 +6,7 @@ use super::capacity::fill;
 use super::checking::{check_all, runs_of};
 use super::choice::{self, Decision};
 use super::choice_table;
+use super::chosen_joints;
 use super::counts::Counts;
 use super::forecast::{TimeLeft, seconds};
 use super::merged::merged;
@@ -290,11 +291,18 @@ pub fn merge(plan: &Plan, folder: &SweepFolder, log: &Log) -> Result<Merge, Diag
     }
     let mut choice = None;
     if let Some(choose) = &plan.header.choose {
-        let rows = choice_table::rows(plan, &merged);
+        let joints = match &kit {
+            Some(kit) => chosen_joints::write(plan, &merged, kit, folder, log)?,
+            None => vec![None; merged.decisions.len()],
+        };
+        let rows = choice_table::rows(plan, &merged, &joints);
         write_whole(&path.join(CHOSEN), &csv(&rows)?)?;
         let shown = choice_table::shown(&rows, choose.least.text(), plan.header.then.is_some());
         markdown.insert(0, shown.markdown());
         choice = Some(shown);
+    }
+    if choice.is_none() {
+        chosen_joints::remove(folder);
     }
     // those of an earlier plan
     let stale = [(TABLES, markdown.is_empty()), (CHOSEN, choice.is_none())];

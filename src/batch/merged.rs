@@ -14,6 +14,8 @@ use std::collections::BTreeMap;
 pub struct Merged {
     /// The record of each case; `None` where it is not finished.
     pub records: Vec<Option<Record>>,
+    /// What the checks found; `None` where they are not made.
+    pub checked: Vec<Option<Record>>,
     /// The groups of the choice.
     pub decisions: Vec<Decision>,
 }
@@ -51,7 +53,7 @@ pub fn merged(folder: &SweepFolder, plan: &Plan, kit: Option<&Kit>) -> Result<Me
             }
         }
     }
-    Ok(Merged { records, decisions })
+    Ok(Merged { records, checked, decisions })
 }
 
 /// The records of finite elements of the cases that ask for them.

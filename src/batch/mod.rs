@@ -9,6 +9,7 @@ pub mod case;
 pub mod checking;
 pub mod choice;
 pub mod choice_table;
+pub mod chosen_joints;
 pub mod column;
 pub mod commands;
 pub mod counts;

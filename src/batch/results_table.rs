@@ -26,8 +26,11 @@ pub enum Kind {
 }
 
 /// The columns behind the varied paths.
-const COLUMNS: [(&str, Kind); 21] = [
+const COLUMNS: [(&str, Kind); 24] = [
     ("load_case", Kind::Text),
+    ("N_kN", Kind::Number),
+    ("V_kN", Kind::Number),
+    ("M_kNm", Kind::Number),
     ("outcome", Kind::Text),
     ("verdict", Kind::Text),
     ("route", Kind::Text),
@@ -62,11 +65,12 @@ impl Kind {
 }
 
 /// A row of the tables: names of columns with their values; null where there is none. `choice`: the
-/// columns of the choice; `derived`: those of the values of `set`.
+/// columns of the choice; `derived`: those of the values of `set`. `known` is the record, or what the
+/// checks of an unfinished case have found.
 fn row(
     plan: &Plan,
     case: &Case,
-    record: Option<&Record>,
+    (record, known): (Option<&Record>, Option<&Record>),
     load: Option<&LoadRow>,
     choice: Option<&[Value; 2]>,
     derived: &[(String, Value)],
@@ -80,11 +84,21 @@ fn row(
     let utilisation = load.and_then(|l| crate::checks::verdict::utilisation(l.lower, l.upper));
     let governing = load.and_then(|l| l.governing.as_ref());
     let with_elements = record.filter(|r| r.result);
+    let actions = load.and_then(|l| l.actions);
+    // the checks of a case that waits for finite elements are no verdict yet
+    let verdict = load.filter(|_| record.is_some()).map(|l| l.verdict);
+    let cause = match record {
+        Some(record) => record.cause.clone(),
+        None => load.map(|_| "by the checks; the analysis is not finished".to_owned()),
+    };
     let values = [
         json!(load.map(|l| &l.case)),
+        json!(actions.map(|a| 1e-3 * a[0])),
+        json!(actions.map(|a| 1e-3 * a[1])),
+        json!(actions.map(|a| 1e-6 * a[2])),
         json!(record.map_or("open", |r| r.outcome.word())),
-        json!(load.map(|l| l.verdict)),
-        json!(load.map(|l| l.route)),
+        json!(verdict),
+        json!(load.filter(|_| record.is_some()).and_then(|l| l.route)),
         json!(load.map(|l| l.by_code)),
         json!(load.map(|l| l.by_analysis)),
         json!(load.and_then(|l| l.lower)),
@@ -97,11 +111,11 @@ fn row(
         json!(governing.map(|g| &g.what)),
         json!(governing.map(|g| &g.clause)),
         json!(governing.and_then(|g| g.utilisation).map(|u| u[1])),
-        json!(record.and_then(|r| r.mass)),
-        json!(record.and_then(|r| r.bolts)),
+        json!(known.and_then(|r| r.mass)),
+        json!(known.and_then(|r| r.bolts)),
         json!(record.and_then(|r| r.seconds)),
         json!(with_elements.map(Record::folder)),
-        json!(record.and_then(|r| r.cause.as_ref())),
+        json!(cause),
     ];
     let names = |columns: &[(&str, Kind)]| -> Vec<String> {
         columns.iter().map(|(name, _)| (*name).to_string()).collect()
@@ -151,11 +165,12 @@ pub fn rows(plan: &Plan, merged: &Merged, kit: Option<&Kit>) -> Vec<Map<String, 
     let choice = plan.header.choose.as_ref().map(|_| of_choice(merged));
     let of_case = |i: usize| -> Vec<Map<String, Value>> {
         let (case, record) = (&plan.cases[i], merged.records[i].as_ref());
+        let known = record.or(merged.checked[i].as_ref());
         let derived = kit.map_or_else(Vec::new, |kit| of_set(plan, kit, case));
         let one = |load: Option<&LoadRow>| {
-            row(plan, case, record, load, choice.as_ref().map(|c| &c[i]), &derived)
+            row(plan, case, (record, known), load, choice.as_ref().map(|c| &c[i]), &derived)
         };
-        match record.map_or(&[][..], |r| &r.loads) {
+        match known.map_or(&[][..], |r| &r.loads) {
             [] => vec![one(None)],
             loads => loads.iter().map(|l| one(Some(l))).collect(),
         }

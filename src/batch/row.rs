@@ -102,6 +102,10 @@ pub struct LoadRow {
     /// S_j,ini of the component method \[N mm/rad\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub component_stiffness: Option<f64>,
+    /// N and Vz \[N\] and My \[N mm\] at the bolt plane, of the end that reaches its resistance
+    /// first; without checks as the case gives them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub actions: Option<[f64; 3]>,
 }
 
 /// The record of a case.

@@ -136,6 +136,7 @@ fn record(key: &str, joint: &Joint, spec: &ConnectionSpec) -> Record {
             moment_resistance: method.0,
             component_factor: method.1,
             component_stiffness: method.2,
+            actions: actions(joint, &checks, &demand.case),
         }
     });
     let rows = rows.collect();
@@ -162,6 +163,16 @@ fn method(checks: &HandChecks, case: &str) -> (Option<f64>, Option<f64>, Option<
     let first = first_end(checks.comparisons.iter().filter(|c| c.case == case));
     let stiffness = checks.moments.iter().find(|m| m.case == case).map(|m| m.component_method);
     (first.map(|c| c.resistance), first.and_then(|c| c.factor), stiffness)
+}
+
+/// N, Vz and My at the bolt plane of the member end that reaches its resistance first.
+fn actions(joint: &Joint, checks: &HandChecks, case: &str) -> Option<[f64; 3]> {
+    let end = first_end(checks.comparisons.iter().filter(|c| c.case == case)).map(|c| &c.end);
+    let plane = &joint.end_plate.as_ref()?.actions;
+    let mine =
+        |of_end: bool| plane.iter().find(|a| a.case == case && (!of_end || Some(&a.end) == end));
+    let [[n, _, vz], [_, my, _]] = mine(end.is_some())?.at(1.0);
+    Some([n, vz, my])
 }
 
 /// Of the member ends of a load case the one that reaches its resistance first.

@@ -21,17 +21,20 @@ const BODY: &str = include_str!("summary/body.html");
 /// Rows that the page holds: a browser sorts and filters so many without delay.
 const MOST_ROWS: usize = 20_000;
 
-/// All rows, or the `most` with the worst outcomes.
+/// The rows, at most `most`: the worst outcome first, then the largest utilisation. Rows that are open
+/// come first.
 pub fn worst_first(rows: &[Map<String, Value>], most: usize) -> Vec<&Map<String, Value>> {
     let mut out: Vec<&Map<String, Value>> = rows.iter().collect();
-    if out.len() > most {
-        let rank = |r: &Map<String, Value>| {
-            Outcome::ALL.iter().rev().position(|o| r["outcome"] == o.word())
-        };
-        // a stable sort; rows that are open come first
-        out.sort_by_key(|r| rank(r));
-        out.truncate(most);
-    }
+    let rank =
+        |r: &Map<String, Value>| Outcome::ALL.iter().rev().position(|o| r["outcome"] == o.word());
+    let used = |r: &Map<String, Value>| {
+        let of = |key: &str| r.get(key).and_then(Value::as_f64);
+        let by_bounds = of("utilisation_up");
+        of("governing_utilisation").into_iter().chain(by_bounds).fold(f64::NEG_INFINITY, f64::max)
+    };
+    // a stable sort: equal rows keep the order of the sweep
+    out.sort_by(|a, b| rank(a).cmp(&rank(b)).then(used(b).total_cmp(&used(a))));
+    out.truncate(most);
     out
 }
 
@@ -172,6 +175,23 @@ mod tests {
         let page = page(("t", &Words::default()), &Counts::default(), &[], None, &[], &rows);
         assert_eq!(page.matches("\"failed\"").count(), rows.len() / 4);
         assert!(page.contains("20000 of 24000 rows"));
+    }
+
+    /// Within an outcome the most used case comes first.
+    #[test]
+    fn the_worst_case_comes_first() {
+        let row = |case: &str, outcome: &str, used: f64| -> Map<String, Value> {
+            let values = [
+                ("case", json!(case)),
+                ("outcome", json!(outcome)),
+                ("governing_utilisation", json!(used)),
+            ];
+            values.into_iter().map(|(k, v)| (k.to_string(), v)).collect()
+        };
+        let rows = [("a", "ok", 0.5), ("b", "not_ok", 1.1), ("c", "ok", 0.9), ("d", "not_ok", 1.4)];
+        let rows = rows.map(|(case, outcome, used)| row(case, outcome, used));
+        let order: Vec<&Value> = worst_first(&rows, 3).into_iter().map(|r| &r["case"]).collect();
+        assert_eq!(order, ["d", "b", "c"]);
     }
 
     /// All texts of the page are in the language of the sweep.

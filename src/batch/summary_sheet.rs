@@ -5,7 +5,7 @@ use super::choice_table::Shown;
 use super::counts::Counts;
 use super::row::Outcome;
 use super::summary::worst_first;
-use crate::math::figures::{Rounding, significant};
+use crate::math::figures::{Rounding, significant, utilisation};
 use crate::report::sheet::Section;
 use crate::report::sheet::blocks::{Block, Grid, Text, plain, section};
 use crate::report::sheet::head::{Head, Paper};
@@ -17,15 +17,21 @@ use serde_json::{Map, Value};
 /// Cases that are printed: more pages than these nobody reads.
 const MOST_ROWS: usize = 400;
 
+/// Key of the utilisation.
+const USED: &str = "governing_utilisation";
+
 /// Columns of the table of cases: key of a row, title, rounding of numbers.
-const COLUMNS: [(&str, &str, Option<Rounding>); 7] = [
+const COLUMNS: [(&str, &str, Option<Rounding>); 10] = [
     ("case", "case", None),
     ("load_case", "load case", None),
+    ("N_kN", "N [kN]", Some(Rounding::Nearest)),
+    ("V_kN", "V [kN]", Some(Rounding::Nearest)),
+    ("M_kNm", "M [kN m]", Some(Rounding::Nearest)),
     ("outcome", "outcome", None),
     ("lambda_low", "load factor ≥", Some(Rounding::Down)),
     ("lambda_up", "≤", Some(Rounding::Up)),
     ("governing", "governing", None),
-    ("governing_utilisation", "utilisation", Some(Rounding::Up)),
+    (USED, "utilisation", Some(Rounding::Nearest)),
 ];
 
 /// The sheet of a sweep. `project` is the title block of its base.
@@ -89,7 +95,8 @@ fn cases(rows: &[Map<String, Value>], words: &Words) -> Vec<Block> {
     let cell = |row: &Map<String, Value>, key: &str, rounding: Option<Rounding>| {
         let value = row.get(key).unwrap_or(&Value::Null);
         plain(match (value.as_f64(), rounding, value) {
-            (Some(x), Some(r), _) => significant(x, 4, r),
+            (Some(x), Some(r), _) if key == USED => utilisation(x, r),
+            (Some(x), Some(r), _) => significant(x, 4, r).replace('-', "−"),
             (_, _, Value::String(s)) if key == "outcome" => words.say(&s.replace('_', " ")),
             (_, _, Value::String(s)) => s.clone(),
             _ => "–".into(),

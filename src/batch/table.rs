@@ -1,9 +1,10 @@
 //! Reads the table of a sweep: CSV, one joint a row.
 //!
 //! The separator is the comma, the semicolon or the tab, whichever the header has; spreadsheets of
-//! many countries write semicolons. A line that starts with `#` is a comment.
+//! many countries write semicolons. Where the comma separates no cells it may stand before
+//! decimals. A line that starts with `#` is a comment.
 
-use super::column::{self, Column};
+use super::column::{self, Column, Decimals};
 use super::dimension::{Dimension, Step};
 use crate::diag::{Diagnostic, Diagnostics, Place};
 use crate::text_file;
@@ -54,6 +55,10 @@ fn parse(text: &str, file: &Path) -> Result<Dimension, Diagnostics> {
         return Err(fault(1, None, "the table is empty".into(), help).into());
     };
     let separator = [b'\t', b';', b','].into_iter().find(|s| first.as_bytes().contains(s));
+    let decimals = match separator {
+        Some(b'\t' | b';') => Decimals::PointOrComma,
+        _ => Decimals::Point,
+    };
     let mut reader = csv::ReaderBuilder::new()
         .comment(Some(b'#'))
         .delimiter(separator.unwrap_or(b','))
@@ -85,6 +90,7 @@ fn parse(text: &str, file: &Path) -> Result<Dimension, Diagnostics> {
     let mut steps = Vec::new();
     let mut faults = Vec::new();
     let mut named: BTreeMap<String, usize> = BTreeMap::new();
+    let mut signs: [Option<(usize, String)>; 2] = [None, None];
     for record in reader.records() {
         let record = record.map_err(|e| Diagnostics::from(broken(e)))?;
         // spreadsheets leave empty rows behind
@@ -102,7 +108,10 @@ fn parse(text: &str, file: &Path) -> Result<Dimension, Diagnostics> {
                 }
                 Column::Expect => column::verdict(cell).map(|v| step.expect = v),
                 Column::Path(_, unit) => {
-                    column::value(cell, unit.as_deref()).map(|v| step.values.push(v))
+                    if let Some(sign) = column::decimal_sign(cell) {
+                        signs[usize::from(sign == ',')].get_or_insert((line, cell.into()));
+                    }
+                    column::value(cell, unit.as_deref(), decimals).map(|v| step.values.push(v))
                 }
             };
             if let Err(message) = read {
@@ -116,6 +125,17 @@ fn parse(text: &str, file: &Path) -> Result<Dimension, Diagnostics> {
             faults.push(fault(line, Some("name"), message, "give every joint a name of its own"));
         }
         steps.push(step);
+    }
+    if let (Decimals::PointOrComma, [Some((of_point, point)), Some((of_comma, comma))]) =
+        (decimals, &signs)
+    {
+        let line = *of_point.max(of_comma);
+        let message = format!(
+            "`{point}` in line {of_point} has a point and `{comma}` in line {of_comma} a comma: \
+             one of them may separate thousands"
+        );
+        let help = "write all decimals of the table with the same sign and no thousands";
+        faults.push(fault(line, None, message, help));
     }
     if faults.len() > SHOWN {
         let more = format!("{} more faults in the table", faults.len() - SHOWN);
@@ -186,6 +206,20 @@ mod tests {
         }
     }
 
+    /// Spreadsheets of many countries write `12,5;A`. A table with commas as separators cannot
+    /// contain a decimal comma.
+    #[test]
+    fn a_decimal_comma_is_read_where_it_separates_no_cells() {
+        for s in [";", "\t"] {
+            let text = ["t|loads.U.My [kN m]|bolts.rows", "12,5|-43,25|\"[-105,5; 105]\""];
+            let d = read(&text.join("\n").replace('|', s)).unwrap_or_else(|e| panic!("{e:?}"));
+            let want = [json!(12.5), json!("-43.25 kN m"), json!([-105.5, 105.0])];
+            assert_eq!(d.steps[0].values, want.map(Some));
+        }
+        assert!(read("t,u\n12,5\n").is_ok(), "two whole numbers");
+        assert!(read("t,u\n12,5,1\n").is_err());
+    }
+
     #[test]
     fn a_header_without_end_is_refused_at_once() {
         let header: Vec<String> = (0..200_000).map(|i| format!("parameters.a{i}")).collect();
@@ -200,7 +234,8 @@ mod tests {
             ("name\n", 1, None, "no rows"),
             ("a..b\n1\n", 1, Some("a..b"), "not a path"),
             ("t,t\n1,2\n", 1, Some("t"), "there twice"),
-            ("t;name\n12,5;A\n", 2, Some("t"), "`12.5`"),
+            ("t;name\n1,250;A\n", 2, Some("t"), "may be 1.250 or 1250"),
+            ("t;u\n12,5;A\n1.250;B\n", 3, None, "may separate thousands"),
             ("t,name\n12,5,A\n", 2, None, "has 3 cells"),
             ("name,t\nA,1\nA,2\n", 3, Some("name"), "in line 2 too"),
             ("expect,t\nmaybe,1\n", 2, Some("expect"), "not a verdict"),

@@ -10,6 +10,7 @@ use crate::analysis::memory::resident_of;
 use crate::checks::judgement::Governing;
 use crate::diag::Diagnostic;
 use crate::driver::interrupt::END_WITH_PARENT;
+use crate::result::demand::{ActionValue, Demand};
 use crate::result::result_file::{Quantity, RESULT_FILE, ResultFile};
 use crate::spec::yaml;
 use serde_json::Value;
@@ -166,7 +167,7 @@ fn run(
 }
 
 /// The spec with absolute paths of its template and catalogue, so that it may stand anywhere.
-fn absolute(mut spec: Value, folder: &Path) -> Value {
+pub fn absolute(mut spec: Value, folder: &Path) -> Value {
     let is_path = crate::assembly::template_file::is_path;
     for (key, always) in [("template", false), ("catalog", true)] {
         if let Some(Value::String(path)) = spec.get_mut(key)
@@ -348,6 +349,10 @@ fn finished(job: &Job, result: &ResultFile) -> Record {
             moment_resistance: first.map(|m| m.resistance),
             component_factor: first.and_then(|m| m.factor),
             component_stiffness: at.and_then(|i| record.loads[i].component_stiffness),
+            actions: match at {
+                Some(i) => record.loads[i].actions,
+                None => first.and_then(|m| given(demand, &m.end)),
+            },
         };
         match at {
             Some(i) => record.loads[i] = row,
@@ -355,6 +360,18 @@ fn finished(job: &Job, result: &ResultFile) -> Record {
         }
     }
     record
+}
+
+/// N, V and M of a member end as the case gives them.
+fn given(demand: &Demand, end: &str) -> Option<[f64; 3]> {
+    let of = |name: &str| {
+        let mine = demand.actions.iter().filter(|a| a.end == end && a.action == name);
+        mine.map(|a| match a.value {
+            ActionValue::Force(v) | ActionValue::Moment(v) => v,
+        })
+        .sum::<f64>()
+    };
+    demand.actions.iter().any(|a| a.end == end).then(|| ["N", "Vz", "My"].map(of))
 }
 
 /// What governs a result, if it is of this load case.

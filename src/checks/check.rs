@@ -88,6 +88,13 @@ pub struct Step {
     pub unit: Unit,
 }
 
+impl Step {
+    /// A length \[mm\].
+    pub fn length(symbol: &str, value: f64) -> Self {
+        Self { symbol: symbol.into(), value, unit: Unit::Length }
+    }
+}
+
 /// Topic of a check; the report has a table for each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -274,6 +281,11 @@ impl Check {
         if !finite {
             self.formula += NO_NUMBER;
         }
+    }
+
+    /// True for a length with its limit, which measures no strength: a distance, a throat.
+    pub fn is_limit(&self) -> bool {
+        self.unit == Unit::Length
     }
 
     /// The check with its load case.

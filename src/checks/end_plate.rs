@@ -31,6 +31,7 @@ mod joint_stiffness;
 mod load_cases;
 mod loaded_welds;
 mod member_end;
+mod method_record;
 mod national_annex;
 mod outside_range;
 mod parts_list;
@@ -51,6 +52,7 @@ pub use comparison::Comparison;
 pub use diagram::{MomentAxial, moment_axial};
 pub use hand_checks::HandChecks;
 pub use joint_stiffness::{FrameClass, JointStiffness, PureMoment};
+pub use method_record::{LimitRecord, MethodRecord, RowRecord, StubRecord, WebRecord};
 pub use parts_list::{PartItem, PartSize, parts_list, total_mass};
 pub use welds_list::{WeldItem, welds_list};
 
@@ -62,6 +64,8 @@ pub fn hand_checks(e: &EndPlate) -> HandChecks {
     let mut out = HandChecks { checks: detailing::detailing(e), ..HandChecks::default() };
     out.checks.extend(bolt_checks::resistances(e));
     out.checks.extend(weld_checks::full_strength_throats(e));
+    out.checks.extend(weld_checks::least_sizes(e));
+    out.checks.extend(stiffener_checks::least_sizes(e));
     out.checks.extend(stiffener_checks::rib_weld(e));
     out.checks.extend(slip_checks::assembly(e));
     out.checks.extend(outside_range::outside_range(e));

@@ -8,9 +8,10 @@
 
 mod reason;
 
-use super::check::{Check, Status, Topic, Unit, number};
+use super::check::{Check, Status, Topic};
 use super::end_plate::HandChecks;
 use super::verdict::{Route, Verdict};
+use crate::math::figures::{Rounding, utilisation};
 use serde::{Deserialize, Serialize};
 
 /// Result of the analyses of a load case.
@@ -203,7 +204,7 @@ fn governing_check(binding: &[&Check], by_code: Verdict) -> Option<Governing> {
     };
     // a least distance that is kept does not describe the strength
     let speaks = |c: &&&Check| {
-        c.status == status && (status != Status::Ok || (c.case.is_some() && c.unit != Unit::Length))
+        c.status == status && (status != Status::Ok || (c.case.is_some() && !c.is_limit()))
     };
     let used = |c: &Check| c.utilisation.unwrap_or(f64::INFINITY);
     let c = binding.iter().filter(speaks).reduce(|a, b| if used(b) > used(a) { b } else { a })?;
@@ -219,27 +220,17 @@ impl Governing {
     /// The governing check with its utilisation and clause.
     pub fn words(&self) -> String {
         let used = match self.utilisation {
-            Some([l, u]) if l == u => format!(", utilisation {}", number(u)),
-            Some(between) => {
-                let [l, u] = outwards(between).map(number);
+            Some([l, u]) if l == u => {
+                format!(", utilisation {}", utilisation(u, Rounding::Nearest))
+            }
+            Some([l, u]) => {
+                let (l, u) = (utilisation(l, Rounding::Down), utilisation(u, Rounding::Up));
                 format!(", utilisation {l} … {u}")
             }
             None => String::new(),
         };
         format!("{}{used} ({})", self.what, self.clause)
     }
-}
-
-/// A bracket with three digits, rounded outwards.
-fn outwards([low, up]: [f64; 2]) -> [f64; 2] {
-    /// A product that is a whole number but for rounding error is one.
-    const WHOLE: f64 = 1e-9;
-    let scale = |x: f64| 10f64.powf(2.0 - x.log10().floor());
-    let sized = |x: f64| x.is_finite() && x > 0.0;
-    [
-        if sized(low) { (low * scale(low) + WHOLE).floor() / scale(low) } else { low },
-        if sized(up) { (up * scale(up) - WHOLE).ceil() / scale(up) } else { up },
-    ]
 }
 
 impl Judgement {

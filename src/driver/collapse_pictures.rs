@@ -237,7 +237,11 @@ impl Zones<'_> {
                 cut = format!(", cut at {axis} = {:.0} mm, the part {side} is left out", plane.at);
             }
         }
-        let front = if plane.is_some_and(|p| !p.removes_above) { -1.0 } else { 1.0 };
+        let front = match plane {
+            Some(plane) if plane.removes_above => 1.0,
+            None if axis == 0 => 1.0,
+            _ => -1.0,
+        };
         let eye = view(axis, front);
         let field = Field {
             name: &self.words.say(self.title),
@@ -270,8 +274,8 @@ impl Zones<'_> {
         Ok((pictures, cut))
     }
 
-    /// The cut through the slice with the largest sum, as seen from the nearer side; `None` where
-    /// nothing is to be seen or little hides it.
+    /// The cut through the slice with the largest sum, seen from the side of the drawing, along x from
+    /// the nearer side; `None` where nothing is to be seen or little hides it.
     fn plane(&self, model: &AnalysisModel, axis: usize, mirrored: bool) -> Option<Plane> {
         let mesh = &model.mesh;
         let at = |x: &V3| x[axis];
@@ -288,6 +292,11 @@ impl Zones<'_> {
         }
         let most = (0..SLICES).max_by(|a, b| slices[*a].total_cmp(&slices[*b]).then(b.cmp(a)))?;
         let place = low + (most as f64 + 0.5) * width;
+        if axis == 1 {
+            // seen as the drawing shows the joint, x to the right: from the side of negative y
+            let at = if mirrored { -place.abs() } else { place };
+            return Some(Plane { axis, at, removes_above: false });
+        }
         let removes_above = mirrored || place >= 0.5 * (low + high);
         Some(Plane { axis, at: place, removes_above })
     }
@@ -335,4 +344,18 @@ fn view(axis: usize, front: f64) -> V3 {
     let (turn, tilt) = (24.0_f64.to_radians(), 16.0_f64.to_radians());
     let (along, aside) = (front * turn.cos() * tilt.cos(), turn.sin() * tilt.cos());
     if axis == 0 { [along, aside, tilt.sin()] } else { [aside, along, tilt.sin()] }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A mechanism in the plane of the joint is seen with x to the right and z up, as in the side
+    /// view of the drawing.
+    #[test]
+    fn the_picture_is_seen_from_the_side_of_the_drawing() {
+        let eye = view(1, -1.0);
+        let right = vec3::cross([0.0, 0.0, 1.0], eye);
+        assert!(eye[1] < 0.0 && right[0] > 0.8, "{eye:?}");
+    }
 }

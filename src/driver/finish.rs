@@ -247,6 +247,7 @@ pub fn judge_result(result: &mut ResultFile, checks: &mut HandChecks, demands: &
     }
     result.checks.clone_from(&checks.checks);
     result.neglected.clone_from(&checks.neglected);
+    result.component_method.clone_from(&checks.methods);
 }
 
 /// The exit status for the verdict. Without a demand it states whether all analyses are certified.

@@ -112,6 +112,25 @@ pub fn percent_up(fraction: f64) -> String {
     format!("{} %", significant(100.0 * fraction, 3, Rounding::Up))
 }
 
+/// A utilisation with two decimals. It has more where two would print a value on the other side of
+/// 1: 1.004 is not 1.00.
+pub fn utilisation(x: f64, rounding: Rounding) -> String {
+    /// Relative error of the computation, which no digit shows.
+    const EQUAL: f64 = 1e-9;
+    let x = match rounding {
+        Rounding::Nearest => x,
+        Rounding::Down => x * (1.0 + EQUAL),
+        Rounding::Up => x * (1.0 - EQUAL),
+    };
+    let side = |x: f64| if (x - 1.0).abs() <= EQUAL { 0.0 } else { (x - 1.0).signum() };
+    if (x - 1.0).abs() > 0.1 || side(x) == 0.0 {
+        return fixed(x, 2, rounding);
+    }
+    let texts = (2..=10).map(|decimals| fixed(x, decimals, rounding));
+    let mut clear = texts.filter(|t| t.parse().is_ok_and(|printed| side(printed) == side(x)));
+    clear.next().unwrap_or_else(|| x.to_string())
+}
+
 /// A residual: two digits, rounded up.
 pub fn residual(x: f64) -> String {
     if x == 0.0 {
@@ -131,6 +150,31 @@ pub fn residual(x: f64) -> String {
 mod tests {
     use super::Rounding::{Down, Nearest, Up};
     use super::*;
+
+    /// What a checker compares with 1 never prints on its other side.
+    #[test]
+    fn a_utilisation_never_crosses_one() {
+        for (x, want) in [
+            (0.0, "0.00"),
+            (0.4549, "0.45"),
+            (0.971, "0.97"),
+            (0.997, "0.997"),
+            (0.99996, "0.99996"),
+            (1.0 - 1e-12, "1.00"),
+            (1.0, "1.00"),
+            (1.0 + 1e-10, "1.00"),
+            (1.004, "1.004"),
+            (1.000_000_2, "1.0000002"),
+            (1.006, "1.01"),
+            (12.345, "12.35"),
+        ] {
+            assert_eq!(utilisation(x, Rounding::Nearest), want);
+        }
+        assert_eq!(utilisation(1.0049, Rounding::Down), "1.004");
+        assert_eq!(utilisation(0.9951, Rounding::Up), "0.996");
+        assert_eq!(utilisation(0.451, Rounding::Up), "0.46");
+        assert_eq!([Down, Up].map(|r| utilisation(0.1 + 0.2, r)), ["0.30", "0.30"]);
+    }
 
     #[test]
     fn bounds_are_rounded_outward() {

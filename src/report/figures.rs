@@ -1,7 +1,9 @@
 //! Loads and actions in the units that engineers use. The rounding is that of
 //! [`crate::math::figures`].
 
-pub use crate::math::figures::{Rounding, bracket, fixed, percent_up, residual, significant};
+pub use crate::math::figures::{
+    Rounding, bracket, fixed, percent_up, residual, significant, utilisation,
+};
 use crate::result::case_result::CaseResult;
 use crate::result::demand::ActionValue;
 use crate::result::quantity::{LoadSize, Quantity, Upper};

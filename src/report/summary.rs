@@ -1,10 +1,9 @@
 //! The table that a checker reads first: every check with a demand, the worst first.
 
 use crate::checks::Governing;
-use crate::checks::check::number;
 use crate::checks::verdict::Verdict;
 use crate::checks::{Check, Status, Topic, Unit};
-use crate::report::figures::{Rounding, significant};
+use crate::report::figures::{Rounding, significant, utilisation};
 use crate::result::result_file::Quantity;
 use crate::result::result_file::{CaseResult, ResultFile};
 use serde::Serialize;
@@ -88,11 +87,11 @@ pub fn summary_rows(result: &ResultFile) -> Vec<SummaryRow> {
     if rows.is_empty() && loaded.is_empty() {
         return rows;
     }
-    rows.extend(worst_distance(&result.checks).map(row));
-    // checks that decide without a load; the distances have their own row
+    rows.extend(worst_limits(&result.checks).into_iter().map(row));
+    // checks that decide without a load; the limits have their own rows
     let open =
         |c: &&Check| matches!(c.status, Status::Failed | Status::Undecided) && c.case.is_none();
-    rows.extend(result.checks.iter().filter(open).filter(|c| c.unit != Unit::Length).map(row));
+    rows.extend(result.checks.iter().filter(open).filter(|c| !c.is_limit()).map(row));
     rows.extend(loaded.into_iter().map(row));
     let governing = result.judgement.as_ref().and_then(|j| j.governing.as_ref());
     let most = rows.iter().filter_map(|r| r.governs_by).fold(f64::NEG_INFINITY, f64::max);
@@ -122,7 +121,9 @@ fn bracket_row(case: &CaseResult) -> Option<SummaryRow> {
     let demand = case.demand.as_ref().filter(|_| case.quantity == Quantity::LoadFactor)?;
     let (down, up) =
         (|x: f64| significant(x, 3, Rounding::Down), |x: f64| significant(x, 3, Rounding::Up));
-    let used = case.utilisation.map(|[l, u]| format!("{} … {}", down(l), up(u)));
+    let used = case.utilisation.map(|[l, u]| {
+        format!("{} … {}", utilisation(l, Rounding::Down), utilisation(u, Rounding::Up))
+    });
     let bounds = match case.factor_bounds() {
         (Some(l), Some(u)) => format!("{} … {}", down(l), up(u)),
         (Some(l), None) => format!("≥ {}", down(l)),
@@ -146,17 +147,31 @@ fn bracket_row(case: &CaseResult) -> Option<SummaryRow> {
     })
 }
 
-/// The minimum distance of Table 3.3 with the largest utilisation.
-fn worst_distance(checks: &[Check]) -> Option<&Check> {
+/// The limits that decide without a load: of each clause the one with the largest utilisation.
+fn worst_limits(checks: &[Check]) -> Vec<&Check> {
     let used = |c: &Check| c.utilisation.unwrap_or(f64::INFINITY);
-    checks
-        .iter()
-        .filter(|c| c.clause.contains("Table 3.3") && !c.title.contains("exposed"))
-        .reduce(|a, b| if used(b) > used(a) { b } else { a })
+    // greatest distances bind only exposed or compressed steel, room for tools is practice
+    let binds = |c: &&Check| match c.topic {
+        Topic::Detailing => c.clause.contains("Table 3.3") && !c.title.contains("exposed"),
+        _ => c.topic == Topic::Welds,
+    };
+    let decides = |c: &&Check| matches!(c.status, Status::Ok | Status::Failed) && binds(c);
+    let limit = |c: &&Check| c.case.is_none() && c.demand.is_some() && c.is_limit();
+    let mut out: Vec<&Check> = Vec::new();
+    for c in checks.iter().filter(limit).filter(decides) {
+        match out.iter_mut().find(|o| o.clause == c.clause) {
+            Some(o) if used(c) > used(o) => *o = c,
+            Some(_) => {}
+            None => out.push(c),
+        }
+    }
+    out
 }
 
 fn row(c: &Check) -> SummaryRow {
-    let show = |v: Option<f64>| v.map_or("–".into(), |v| c.unit.show(v));
+    // a sum of shares has no resistance but 1: its utilisation says all
+    let sum = c.unit == Unit::Number;
+    let show = |v: Option<f64>| v.filter(|_| !sum).map_or("–".into(), |v| c.unit.show(v));
     let decides = matches!(c.status, Status::Ok | Status::Failed | Status::Undecided)
         && !matches!(c.topic, Topic::Stiffness | Topic::Ductility);
     let (status, tone) = match (c.status, c.utilisation) {
@@ -169,19 +184,26 @@ fn row(c: &Check) -> SummaryRow {
         (Status::Information, None) => ("information", Tone::Quiet),
     };
     // a minimum distance or throat decides, but does not measure strength
-    let strength = decides && (c.unit != Unit::Length || c.status == Status::Failed);
+    let kept = c.is_limit() && c.status == Status::Ok;
+    let strength = decides && !kept;
     let used = c.utilisation.unwrap_or(f64::INFINITY);
     SummaryRow {
         case: c.case.clone().unwrap_or_else(|| "all".into()),
         check: format!("{}, {}", c.title, c.subject),
         demand: show(c.demand),
         resistance: show(c.resistance),
-        utilisation: c.utilisation.map_or_else(|| "–".into(), number),
+        utilisation: used_words(c),
         clause: c.clause.clone(),
         status: status.into(),
         tone,
         governs: false,
         governs_by: strength.then_some(used),
-        size: used,
+        // behind every strength
+        size: if kept { f64::NEG_INFINITY } else { used },
     }
+}
+
+/// Demand over resistance of a check, as every table prints it.
+pub fn used_words(c: &Check) -> String {
+    c.utilisation.map_or_else(|| "–".into(), |u| utilisation(u, Rounding::Nearest))
 }

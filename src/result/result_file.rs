@@ -5,6 +5,7 @@
 //! result that claims to be strict without residuals within the tolerance.
 
 use crate::assembly::Neglected;
+use crate::checks::end_plate::MethodRecord;
 pub use crate::checks::verdict::Verdict;
 use crate::checks::{Check, Judgement};
 use crate::diag::Diagnostic;
@@ -56,6 +57,9 @@ pub struct ResultFile {
     /// Actions at member ends that are neglected, in the checks as in the models.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub neglected: Vec<Neglected>,
+    /// The component method of each sense of bending, with all numbers of M_j,Rd.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub component_method: Vec<MethodRecord>,
     /// Capacity of the joint under two actions together.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub polygon: Option<CapacityPolygon>,
@@ -160,6 +164,7 @@ impl ResultFile {
             cases,
             checks,
             neglected: Vec::new(),
+            component_method: Vec::new(),
             polygon: None,
             warnings,
         }

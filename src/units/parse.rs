@@ -1,6 +1,7 @@
 //! Reads numbers with unit suffixes.
 
 use super::dim::{Dim, INCH, unit};
+use std::borrow::Cow;
 
 /// Kind of quantity that a field of an input file contains.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -127,6 +128,15 @@ pub enum UnitError {
     },
 }
 
+/// A text with the minus sign of typesetting (U+2212), which reports print, as that of a keyboard:
+/// numbers of a report can be pasted into an input.
+pub fn plain_minus(text: &str) -> Cow<'_, str> {
+    match text.contains('−') {
+        true => Cow::Owned(text.replace('−', "-")),
+        false => Cow::Borrowed(text),
+    }
+}
+
 /// Splits `120 kN m` into the number and its suffix.
 pub(super) fn split(text: &str) -> Option<(f64, &str)> {
     let text = text.trim();
@@ -169,15 +179,16 @@ fn split_fraction(text: &str) -> Option<(f64, &str)> {
 }
 
 /// Replaces a decimal comma: `20.5 mm` for `20,5 mm`. `None` if the comma may separate thousands,
-/// or if the text has any other form.
+/// as in `1,250`, or if the text has any other form.
 pub fn with_point(text: &str) -> Option<String> {
     let (whole, rest) = text.trim().split_once(',')?;
-    let digits = whole.trim_start_matches(['+', '-']);
+    let digits = whole.trim_start_matches(['+', '-', '−']);
     let decimals: String = rest.chars().take_while(char::is_ascii_digit).collect();
     let unit = &rest[decimals.len()..];
     let a_number =
         !digits.is_empty() && digits.bytes().all(|b| b.is_ascii_digit()) && !decimals.is_empty();
-    let clear = decimals.len() != 3 && !unit.contains([',', '.']);
+    let thousands = decimals.len() == 3 && digits.len() <= 3 && !digits.starts_with('0');
+    let clear = !thousands && !unit.contains([',', '.']);
     (a_number && clear).then(|| format!("{whole}.{decimals}{unit}"))
 }
 
@@ -195,6 +206,8 @@ fn pointed(text: &str) -> String {
 /// assert!(parse("45", Kind::Stress).is_err());
 /// ```
 pub fn parse(text: &str, kind: Kind) -> Result<f64, UnitError> {
+    let plain = plain_minus(text);
+    let text = &*plain;
     let fraction = if kind == Kind::Length { split_fraction(text) } else { None };
     if let Some((number, suffix)) = fraction {
         return match unit(suffix) {

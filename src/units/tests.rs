@@ -26,6 +26,10 @@ fn reads_what_engineers_write() {
         ("- 3/8in", Kind::Length, -9.525),
         ("-8\"", Kind::Length, -203.2),
         ("20 ft", Kind::Length, 6096.0),
+        // the minus sign of typesetting, as a report prints it
+        ("−250", Kind::Length, -250.0),
+        ("−43.2 kN m", Kind::Moment, -43.2e6),
+        ("−1 1/2 in", Kind::Length, -38.1),
         ("25 kip", Kind::Force, 111_205.540_381_512_5),
         ("100 kip ft", Kind::Moment, 135_581_794.833_140_04),
         ("12 kip in", Kind::Moment, 1_355_817.948_331_400_4),

@@ -91,7 +91,7 @@ quantity!(
     Kind::Length,
     "mm",
     None,
-    r#"^\s*([-+0-9.eE]+\s*(mm|cm|m|in|ft|\")?|-?([0-9]+[ -]+)?[0-9]+/[0-9]+\s*(in|\"))\s*$"#,
+    r#"^\s*([-−+0-9.eE]+\s*(mm|cm|m|in|ft|\")?|[-−]?([0-9]+[ -]+)?[0-9]+/[0-9]+\s*(in|\"))\s*$"#,
     "A length: bare number = mm, or with a suffix mm, cm, m, in, ft; inches also as fractions: \
      3/4 in, 1 1/4 in."
 );
@@ -100,7 +100,7 @@ quantity!(
     Kind::Force,
     "N",
     Some((1e3, "kN")),
-    r"^\s*[-+0-9.eE]+\s*(N|kN|MN|lbf|kip)\s*$",
+    r"^\s*[-−+0-9.eE]+\s*(N|kN|MN|lbf|kip)\s*$",
     "A force with a suffix: N, kN, MN, lbf, kip."
 );
 quantity!(
@@ -108,7 +108,7 @@ quantity!(
     Kind::Moment,
     "N mm",
     Some((1e6, "kN m")),
-    r"^\s*[-+0-9.eE]+\s*(N mm|N m|kN mm|kN cm|kN m|MN m|Nmm|Nm|kNm|kip in|kip ft)\s*$",
+    r"^\s*[-−+0-9.eE]+\s*(N mm|N m|kN mm|kN cm|kN m|MN m|Nmm|Nm|kNm|kip in|kip ft)\s*$",
     "A moment with a suffix: N mm, N m, kN cm, kN m, MN m, kip in, kip ft."
 );
 quantity!(
@@ -116,7 +116,7 @@ quantity!(
     Kind::Stress,
     "MPa",
     None,
-    r"^\s*[-+0-9.eE]+\s*(MPa|GPa|N/mm2|kN/cm2|psi|ksi)\s*$",
+    r"^\s*[-−+0-9.eE]+\s*(MPa|GPa|N/mm2|kN/cm2|psi|ksi)\s*$",
     "A stress or pressure with a suffix: MPa, N/mm2, GPa, kN/cm2, psi, ksi."
 );
 

@@ -36,7 +36,7 @@ fn text(bench: &Bench, file: &str) -> String {
 
 /// `u` with as many digits as the summary prints.
 fn number(u: f64) -> String {
-    bracket::checks::check::number(u)
+    bracket::report::figures::utilisation(u, bracket::report::figures::Rounding::Nearest)
 }
 
 #[test]

@@ -23,6 +23,9 @@ function shown(key, value) {
 function compare(a, b) {
   const key = sorted.key;
   let [x, y] = [a[key], b[key]];
+  // within an outcome the most used first
+  const used = r => Math.max(Number(r.governing_utilisation ?? -Infinity), Number(r.utilisation_up ?? -Infinity));
+  if (key === "outcome" && x === y) return used(b) - used(a) || 0;
   if (key === "outcome") [x, y] = [rank[x], rank[y]];
   else if (numbers.has(key)) [x, y] = [x === null ? -Infinity : Number(x), y === null ? -Infinity : Number(y)];
   else return String(x ?? "").localeCompare(String(y ?? ""), "en", { numeric: true }) * (sorted.up ? 1 : -1);

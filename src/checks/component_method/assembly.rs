@@ -178,7 +178,7 @@ pub fn assess(joint: &EndPlateJoint) -> Result<Assessment, CheckError> {
     let rows = Rows::new(joint)?;
     let beam = &joint.beam;
     let beam_moment = beam::bending_6_2_8(&beam.section, beam.fy, beam.shear, joint.gamma_m0);
-    let panel = panel(joint, &rows).map(|p| (p.resistance(), p));
+    let panel = panel(joint, &rows).map(|p| (with_stiffeners(p.resistance(), joint), p));
     let (resistance, panel) = panel.unzip();
     let limits = limits(joint, &rows, beam_moment.value, resistance.as_ref());
     let stability = stability(joint, &rows, panel.as_ref());
@@ -279,12 +279,12 @@ fn moment(rows: &[RowForce]) -> Worked {
 /// The column web panel; `None` without a column or where β = 0.
 fn panel(joint: &EndPlateJoint, rows: &Rows<'_>) -> Option<ShearPanel> {
     let c = joint.column.as_ref().filter(|_| joint.beta > 0.0)?;
-    let (s, b) = (&c.section, &joint.beam.section);
-    let stiffeners = if c.stiffener > 0.0 {
-        let plastic = |t: f64| 0.25 * s.b * t * t * c.fy / joint.gamma_m0;
-        column_web::stiffened_panel(plastic(s.tf), plastic(c.stiffener), b.h - b.tf)
-    } else {
-        0.0
+    let s = &c.section;
+    let stiffeners = match panel_stiffeners(joint) {
+        Some([flange, stiffener, distance]) => {
+            column_web::stiffened_panel(flange, stiffener, distance)
+        }
+        None => 0.0,
     };
     Some(ShearPanel {
         area: rows.shear_area(),
@@ -296,6 +296,26 @@ fn panel(joint: &EndPlateJoint, rows: &Rows<'_>) -> Option<ShearPanel> {
         gamma_m0: joint.gamma_m0,
         gamma_m1: joint.gamma_m1,
     })
+}
+
+/// M_pl,fc,Rd of the column flange, M_pl,st,Rd of a stiffener \[N mm\] and their distance d_s
+/// \[mm\], 6.2.6.1(4); `None` without stiffeners.
+fn panel_stiffeners(joint: &EndPlateJoint) -> Option<[f64; 3]> {
+    let c = joint.column.as_ref().filter(|c| c.stiffener > 0.0)?;
+    let b = &joint.beam.section;
+    let plastic = |t: f64| 0.25 * c.section.b * t * t * c.fy / joint.gamma_m0;
+    Some([plastic(c.section.tf), plastic(c.stiffener), b.h - b.tf])
+}
+
+/// The resistance of the panel with the numbers of the part that stiffeners add.
+fn with_stiffeners(worked: Worked, joint: &EndPlateJoint) -> Worked {
+    match panel_stiffeners(joint) {
+        Some([flange, stiffener, distance]) => worked
+            .with("M_pl,fc,Rd", flange, Unit::Moment)
+            .with("M_pl,st,Rd", stiffener, Unit::Moment)
+            .with("d_s", distance, Unit::Length),
+        None => worked,
+    }
 }
 
 /// Limits of the sum of the rows by the components in compression and in shear.

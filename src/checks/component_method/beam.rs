@@ -125,6 +125,8 @@ pub fn flange_compression(beam: &Section, moment: f64, fy: f64, gamma_m0: f64) -
     };
     let title = "beam flange and web in compression";
     Worked::new("EN 1993-1-8:2005 6.2.6.7", title, whole.min(limit), Unit::Force, formula)
+        .with("M_c,Rd", moment, Unit::Moment)
+        .with("h − t_fb", lever, Unit::Length)
 }
 
 /// Design resistance of the beam web in tension \[N\]; `effective_width` is ℓ_eff of the T-stub of
@@ -145,4 +147,6 @@ pub fn web_tension(effective_width: f64, web: f64, fy: f64, gamma_m0: f64) -> Wo
     );
     Worked::new("EN 1993-1-8:2005 6.2.6.8", "beam web in tension", value, Unit::Force, formula)
         .with("b_eff", effective_width, Unit::Length)
+        .with("t_w", web, Unit::Length)
+        .with("f_y", fy, Unit::Stress)
 }

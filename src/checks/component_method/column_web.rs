@@ -116,10 +116,15 @@ impl ShearPanel {
                 );
             }
         }
-        Worked::new(clause, title, value, Unit::Force, formula)
-            .with("A_vc", self.area, Unit::Area)
-            .with("d_c/t_w", slenderness, Unit::Number)
-            .with("69 ε", limit, Unit::Number)
+        let mut worked = Worked::new(clause, title, value, Unit::Force, formula).with(
+            "A_vc",
+            self.area,
+            Unit::Area,
+        );
+        if self.stiffeners > 0.0 {
+            worked = worked.with("V_wp,add,Rd", self.stiffeners, Unit::Force);
+        }
+        worked.with("d_c/t_w", slenderness, Unit::Number).with("69 ε", limit, Unit::Number)
     }
 }
 
@@ -155,6 +160,8 @@ pub fn tension(effective_width: f64, web: f64, fy: f64, omega: f64, gamma_m0: f6
     Worked::new("EN 1993-1-8:2005 6.2.6.3", "column web in tension", value, Unit::Force, formula)
         .with("ω", omega, Unit::Number)
         .with("b_eff", effective_width, Unit::Length)
+        .with("t_w", web, Unit::Length)
+        .with("f_y", fy, Unit::Stress)
 }
 
 /// A web in transverse compression. Lengths in mm, strengths in MPa.

@@ -31,6 +31,21 @@ pub struct Component {
     pub mode: Option<Mode>,
     /// Force of its bolts at the resistance, prying included, if it is a T-stub \[N\].
     pub bolts: Option<f64>,
+    /// Its dimensions, if it is a T-stub.
+    pub stub: Option<Stub>,
+}
+
+/// Dimensions of the T-stub of a row or a group.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stub {
+    /// The T-stub.
+    pub of: TStub,
+    /// e, or e_x of a row outside the flange \[mm\].
+    pub e: f64,
+    /// Σ ℓ_eff,cp and Σ ℓ_eff,nc.
+    pub lengths: Lengths,
+    /// m2 \[mm\] and α of the stiffeners, or flanges of the beam, beside the first and last row.
+    pub beside: Vec<(f64, f64)>,
 }
 
 /// Side of the joint whose T-stub a group forms.
@@ -327,54 +342,69 @@ impl<'a> Rows<'a> {
         let group = (first < last).then_some((first, last));
         let e_min =
             j.column.as_ref().map_or(f64::INFINITY, |c| self.e_column(c)).min(self.e_plate());
-        let stub = |name, lengths: Lengths, m: f64, edge: f64, thickness: f64, fy: f64| {
-            let length1 = lengths.mode1();
-            let stub = TStub {
-                m,
-                n: edge.min(1.25 * m),
-                thickness,
-                fy,
-                length1,
-                length2: lengths.mode2(),
-                bolts: 2.0 * rows as f64 * j.bolts.tension,
-                gamma_m0: j.gamma_m0,
-                prying: if j.bolts.always_prying {
-                    Prying::Develops
-                } else {
-                    prying(j.bolts.elongation, m, j.bolts.stress_area, rows, length1, thickness)
-                },
-                washer_quarter: j.bolts.washer.map(|d| 0.25 * d),
-            };
-            let r = stub.resistance();
-            Component { name, mode: Some(r.mode), bolts: Some(r.bolts), worked: r.worked }
+        // stiffeners or flanges above the first and below the last row, those that count
+        let beside = |m: f64, e: f64, of: &dyn Fn(usize) -> [Option<f64>; 2]| -> Vec<(f64, f64)> {
+            let m2 = [of(first)[0], of(last)[1]].into_iter().flatten();
+            m2.map(|m2| (m2, lengths::alpha(m, e, m2))).collect()
         };
+        let stub =
+            |name, lengths: Lengths, (m, e): (f64, f64), edge: f64, (thickness, fy), beside| {
+                let length1 = lengths.mode1();
+                let stub = TStub {
+                    m,
+                    n: edge.min(1.25 * m),
+                    thickness,
+                    fy,
+                    length1,
+                    length2: lengths.mode2(),
+                    bolts: 2.0 * rows as f64 * j.bolts.tension,
+                    gamma_m0: j.gamma_m0,
+                    prying: if j.bolts.always_prying {
+                        Prying::Develops
+                    } else {
+                        prying(j.bolts.elongation, m, j.bolts.stress_area, rows, length1, thickness)
+                    },
+                    washer_quarter: j.bolts.washer.map(|d| 0.25 * d),
+                };
+                let r = stub.resistance();
+                let stub = Some(Stub { of: stub, e, lengths, beside });
+                Component { name, mode: Some(r.mode), bolts: Some(r.bolts), worked: r.worked, stub }
+            };
+        let web = |name, worked| Component { name, worked, mode: None, bolts: None, stub: None };
         let mut out = Vec::new();
         let grouped = |side| rows == 1 || self.joined(side, first, last);
         if let Some(c) = j.column.as_ref().filter(|_| grouped(Side::Column)) {
             let lengths: Lengths = (first..=last).map(|row| self.on_column(c, row, group)).sum();
-            out.push(stub("column flange", lengths, self.m_column(c), e_min, c.section.tf, c.fy));
+            let (m, e) = (self.m_column(c), self.e_column(c));
+            let beside = beside(m, e, &|row| self.stiffeners(row));
+            let steel = (c.section.tf, c.fy);
+            out.push(stub("column flange", lengths, (m, e), e_min, steel, beside));
             let omega = column_web::shear_interaction(
                 j.beta,
                 lengths.mode1(),
                 c.section.tw,
                 self.shear_area,
             );
-            let web = column_web::tension_thickness(c.section.tw, c.doublers, c.fy);
-            let worked = column_web::tension(lengths.mode1(), web, c.fy, omega, j.gamma_m0);
-            out.push(Component { name: "column web", worked, mode: None, bolts: None });
+            let thickness = column_web::tension_thickness(c.section.tw, c.doublers, c.fy);
+            let length = lengths.mode1();
+            let worked = column_web::tension(length, thickness, c.fy, omega, j.gamma_m0);
+            out.push(web("column web", worked));
         }
         if grouped(Side::Beam) {
             let lengths: Lengths = (first..=last).map(|row| self.on_plate(row, group)).sum();
             let z = self.z[first];
-            let (m, edge) = match self.outside(z) {
-                true => (self.mx(z), self.ex(z)),
-                false => (self.m_beam(), e_min),
+            let (m, e, edge, beside) = if self.outside(z) {
+                (self.mx(z), self.ex(z), self.ex(z), Vec::new())
+            } else {
+                let (m, e) = (self.m_beam(), self.e_plate());
+                (m, e, e_min, beside(m, e, &|row| self.beside_flanges(row)))
             };
-            out.push(stub("end plate", lengths, m, edge, j.plate.thickness, j.plate.fy));
+            let steel = (j.plate.thickness, j.plate.fy);
+            out.push(stub("end plate", lengths, (m, e), edge, steel, beside));
             if !self.outside(z) {
                 let worked =
                     beam::web_tension(lengths.mode1(), j.beam.section.tw, j.beam.fy, j.gamma_m0);
-                out.push(Component { name: "beam web", worked, mode: None, bolts: None });
+                out.push(web("beam web", worked));
             }
         }
         out

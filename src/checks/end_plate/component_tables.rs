@@ -4,6 +4,7 @@
 use super::component_joint::component_joint;
 use super::doubler::doubler_fault;
 use super::hand_checks::HandChecks;
+use super::method_record::MethodRecord;
 use super::rotation_rules::SenseLimits;
 use super::sense::{self, Sense};
 use super::weld_checks;
@@ -21,7 +22,8 @@ use crate::checks::worked::Worked;
 pub(super) fn senses(e: &EndPlate, out: &mut HandChecks) -> Vec<SenseLimits> {
     let (mut limits, all) = (Vec::new(), sense::senses(e));
     for &(sense, beta) in &all {
-        let assessment = match assess(&sense.of(&component_joint(e, beta))) {
+        let joint = sense.of(&component_joint(e, beta));
+        let assessment = match assess(&joint) {
             Ok(assessment) => assessment,
             Err(fault) => {
                 out.notes.push(format!("component method, {}: {fault}", sense.words()));
@@ -35,6 +37,8 @@ pub(super) fn senses(e: &EndPlate, out: &mut HandChecks) -> Vec<SenseLimits> {
             sense.words().into()
         };
         out.checks.extend(tables(e, &subject, sense, &assessment));
+        let bends = sense::bent(e).contains(&(sense, beta));
+        out.methods.push(MethodRecord::new(&subject, bends, sense, &joint, &assessment));
         out.checks.extend(weld_checks::not_the_weakest(e, &subject, sense, &assessment));
         let panel = panel(e, &subject, &assessment);
         let bending = assessment.rows.iter().filter_map(|r| r.bending_of()).collect();

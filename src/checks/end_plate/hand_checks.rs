@@ -2,6 +2,7 @@
 
 use super::comparison::Comparison;
 use super::joint_stiffness::PureMoment;
+use super::method_record::MethodRecord;
 use crate::assembly::Neglected;
 use crate::checks::check::{Check, Status};
 
@@ -12,6 +13,8 @@ pub struct HandChecks {
     pub checks: Vec<Check>,
     /// Parts that could not be checked, with the reason.
     pub notes: Vec<String>,
+    /// The component method of each sense of bending, with all numbers of M_j,Rd.
+    pub methods: Vec<MethodRecord>,
     /// Result of the component method for each load case with actions at a member end.
     pub comparisons: Vec<Comparison>,
     /// Load cases that consist of one moment; its rotation gives the stiffness of the joint.

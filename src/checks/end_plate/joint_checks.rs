@@ -28,7 +28,21 @@ pub(super) fn moment_and_axial(loaded: &LoadedEnd<'_>) -> Check {
     if end.e.column.is_some() {
         check = check.with("β", method.beta, Unit::Number);
     }
-    check.utilised(Topic::ComponentMethod, end.subject(), Status::Failed)
+    let at = end.a.at(1.0);
+    let (axial, my) = (at[0][0].abs(), at[1][1].abs());
+    let bending = my / method.moment;
+    let used = check.value;
+    let mut check = check.utilised(Topic::ComponentMethod, end.subject(), Status::Failed);
+    // a moment against the one that the joint carries beside the axial force; an axial force that
+    // uses more of its own resistance stands in place of it
+    let alone = used > bending && method.with_axial(at).is_none();
+    (check.demand, check.resistance, check.unit) = match (my > 0.0 && !alone, used > bending) {
+        (true, false) => (Some(my), Some(method.moment), Unit::Moment),
+        (true, true) => (Some(my), Some(my / used), Unit::Moment),
+        _ if axial > 0.0 && used > 0.0 => (Some(axial), Some(axial / used), Unit::Force),
+        _ => (Some(my), Some(method.moment), Unit::Moment),
+    };
+    check
 }
 
 /// Components that may buckle: the compressed column web against its reduced resistance. Where the

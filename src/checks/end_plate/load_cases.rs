@@ -10,6 +10,7 @@ use super::joint_checks::{self, MOMENT_AND_AXIAL};
 use super::joint_stiffness::PureMoment;
 use super::loaded_welds;
 use super::member_end::{LoadedEnd, MemberEnd, subject};
+use super::method_record::MethodRecord;
 use super::sense::Sense;
 use super::slip_checks::slip;
 use super::stiffener_checks::{doubler_welds, stiffeners};
@@ -57,6 +58,7 @@ pub(super) fn checks(e: &EndPlate, out: &mut HandChecks) {
             out.checks.extend(ultimate.then(|| check.of_case(&a.case)));
             continue;
         }
+        out.methods.extend(of_its_own(&end, &out.methods));
         if ultimate {
             let loaded = LoadedEnd::new(&end, &method);
             let stability = joint_checks::stability(&loaded);
@@ -77,6 +79,17 @@ pub(super) fn checks(e: &EndPlate, out: &mut HandChecks) {
         out.comparisons.push(Comparison::new(e, a, &method, &end.assessment));
         out.moments.extend(PureMoment::new(e, a, beta(e, a), &end.assessment));
     }
+}
+
+/// The component method of a member end whose forces change M_j,Rd: the shear force of the beam
+/// above half of its resistance. `None` where it is that of the sense of bending, or of an earlier
+/// case.
+fn of_its_own(end: &MemberEnd<'_>, known: &[MethodRecord]) -> Option<MethodRecord> {
+    let subject = format!("{}, {}, {}", end.a.case, end.a.end, end.sense.words());
+    let turned = end.sense.of(&end.joint);
+    let own = MethodRecord::new(&subject, true, end.sense, &turned, &end.assessment);
+    let same = |o: &MethodRecord| MethodRecord { subject: own.subject.clone(), ..o.clone() } == own;
+    (!known.iter().any(same)).then_some(own)
 }
 
 /// Torsion and weak-axis moment of the joint: no rule of the code brings them into the rows of

@@ -6,7 +6,7 @@ use super::welded_steel;
 use crate::assembly::{EndPlate, PlaneActions};
 use crate::checks::check::{Check, Status, Topic, Unit, number as n, within};
 use crate::checks::eurocode::welds::{
-    LineForce, WeldedSteel, either_method, full_strength_throat, least_size, transverse,
+    LineForce, WeldedSteel, either_method, full_strength_throat, transverse,
 };
 use crate::checks::worked::Worked;
 
@@ -77,12 +77,10 @@ pub(super) fn under_load(e: &EndPlate, a: &PlaneActions) -> Vec<Check> {
     if e.flange_throat > 0.0 {
         let subject = format!("{}, beam flange", a.end);
         out.push(flange(e, &forces, &steel, subject.clone()));
-        out.extend(least_size(&subject, e.flange_throat, weld_lengths::shortest_of_flange(e)));
     }
     if e.web_throat > 0.0 {
         let subject = format!("{}, beam web", a.end);
         out.extend(web(e, &forces, [vy, vz], &steel, &subject));
-        out.extend(least_size(&subject, e.web_throat, weld_lengths::web(e).value));
     }
     out
 }
@@ -127,7 +125,7 @@ fn web(
 ) -> Option<Check> {
     let length = weld_lengths::web(e);
     if length.value <= 0.0 {
-        // the least length fails beside this
+        // the check of the least length fails
         return None;
     }
     let l = length.value;

@@ -51,9 +51,8 @@ impl Sense {
     }
 }
 
-/// Senses of bending with their β: those of the load cases, and the template's β for a sense that
-/// no load case has.
-pub(super) fn senses(e: &EndPlate) -> Vec<(Sense, f64)> {
+/// Senses of bending of the load cases with their β.
+pub(super) fn bent(e: &EndPlate) -> Vec<(Sense, f64)> {
     let mut out: Vec<(Sense, f64)> = Vec::new();
     for a in &e.actions {
         let entry = (Sense::of_moment(a.at(1.0)[1][1]), beta(e, a));
@@ -61,6 +60,13 @@ pub(super) fn senses(e: &EndPlate) -> Vec<(Sense, f64)> {
             out.push(entry);
         }
     }
+    out
+}
+
+/// Senses of bending with their β: those of the load cases, and the template's β for a sense that
+/// no load case has.
+pub(super) fn senses(e: &EndPlate) -> Vec<(Sense, f64)> {
+    let mut out = bent(e);
     for sense in [Sense::Top, Sense::Bottom] {
         if out.iter().all(|o| o.0 != sense) {
             out.push((sense, e.column.as_ref().map_or(0.0, |c| c.beta)));

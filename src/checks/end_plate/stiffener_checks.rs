@@ -8,7 +8,7 @@ use super::component_joint::component_joint;
 use super::doubler::doubler_fault;
 use super::member_end::{LoadedEnd, MemberEnd};
 use super::transformation::{beta, other_ends};
-use super::weld_lengths;
+use super::weld_lengths::{self, EffectiveLength};
 use super::welded_steel;
 use crate::assembly::{ColumnSide, EndPlate, Way};
 use crate::checks::check::{Check, Status, Topic, Unit, largest, number as n, within};
@@ -30,21 +30,16 @@ struct Stiffeners<'a> {
 }
 
 impl Stiffeners<'_> {
-    /// Width of one stiffener in contact with the flange of the column \[mm\].
-    fn contact(&self) -> f64 {
-        0.5 * (self.c.section.b - self.c.section.tw) - self.c.stiffener_clip
-    }
-
     /// A_net f_y/γ_M0 of both sides of the web \[N\].
     fn resistance(&self) -> f64 {
-        2.0 * self.contact() * self.c.stiffener * self.c.steel.fy / self.gamma_m0
+        2.0 * contact(self.c) * self.c.stiffener * self.c.steel.fy / self.gamma_m0
     }
 
     /// The formula of the resistance with its numbers.
     fn formula(&self) -> String {
         format!(
             "A_net f_y/γ_M0 = 2 · {} · {} · {}/{} = {}",
-            n(self.contact()),
+            n(contact(self.c)),
             n(self.c.stiffener),
             n(self.c.steel.fy),
             n(self.gamma_m0),
@@ -185,6 +180,43 @@ fn tension(
     Some((check, Share { side: "stiffeners in tension", level, force, formula }))
 }
 
+/// Width of one stiffener in contact with the flange of the column \[mm\].
+fn contact(c: &ColumnSide) -> f64 {
+    0.5 * (c.section.b - c.section.tw) - c.stiffener_clip
+}
+
+/// Effective lengths of the fillet welds of a stiffener to the flange and to the web of the column.
+fn seam_lengths(e: &EndPlate, c: &ColumnSide) -> [EffectiveLength; 2] {
+    let along_web = c.section.h - 2.0 * (c.section.tf + c.stiffener_clip);
+    [contact(c), along_web].map(|length| weld_lengths::run(e, length, c.stiffener_throat))
+}
+
+/// Least throat and length of the welds of the stiffeners and least throat of those of the web
+/// plate, which no load changes.
+pub(super) fn least_sizes(e: &EndPlate) -> Vec<Check> {
+    let Some(c) = &e.column else { return Vec::new() };
+    let mut out = Vec::new();
+    if c.stiffener > 0.0 && c.stiffener_throat > 0.0 {
+        let [flange, web] = seam_lengths(e, c);
+        let shorter = flange.value.min(web.value);
+        out.extend(least_size("column stiffeners", c.stiffener_throat, shorter));
+    }
+    out.extend(doubler_throat(c));
+    out
+}
+
+/// The throat from which a web plate counts in tension.
+///
+/// # Source
+/// EN 1993-1-8:2005 6.2.6.3: fillet welds with a ≥ t_s/√2.
+fn doubler_throat(c: &ColumnSide) -> Option<Check> {
+    let counts = c.doubler > 0.0 && c.doubler_throat > 0.0 && doubler_fault(c).is_none();
+    let what = ("EN 1993-1-8:2005 6.2.6.3", "throat of the welds of a web doubler");
+    let rule = (c.doubler / SQRT_2, format!("t_s/√2 = {}/√2", n(c.doubler)));
+    let (topic, throat) = ((Topic::Welds, "web doubler"), c.doubler_throat);
+    counts.then(|| Check::at_least(topic, what, "a", rule, throat, Status::Failed))
+}
+
 /// Fillet welds of the stiffeners: to the flange of the column for the force of the stiffeners, to
 /// its web for the share β of it that no beam on the other side balances. The stiffeners can bring
 /// no more than they yield with.
@@ -203,10 +235,7 @@ fn stiffener_welds(
     let Some(steel) = welded_steel::of_the_column(e, c).filter(|_| a > 0.0) else {
         return out;
     };
-    let (flange, web) = (
-        weld_lengths::run(e, s.contact(), a),
-        weld_lengths::run(e, c.section.h - 2.0 * (c.section.tf + c.stiffener_clip), a),
-    );
+    let [flange, web] = seam_lengths(e, c);
     let full = full_strength_throat(c.stiffener, c.steel.fy, s.gamma_m0, &steel);
     let seams = |share: &Share| 2.0 * seams(e, c, share.level);
     // compared as forces, so that welds without any effective length fail
@@ -259,8 +288,6 @@ fn stiffener_welds(
         let place = loaded.place(&format!("{} to the column web", share.side));
         out.push(all(seams(share), (beta * force, words), false, place));
     }
-    let shorter = flange.value.min(web.value);
-    out.extend(least_size(&loaded.place("column stiffeners"), a, shorter));
     out
 }
 
@@ -274,12 +301,10 @@ fn seams(e: &EndPlate, c: &ColumnSide, level: Way) -> f64 {
     if room.is_none_or(|room| within(leg, room)) { 2.0 } else { 1.0 }
 }
 
-/// Fillet welds round the web plate: the shear flow of its share of the panel, and the throat from
-/// which the plate counts in tension.
+/// Fillet welds round the web plate: the shear flow of its share of the panel.
 ///
 /// # Source
-/// EN 1993-1-8:2005 6.2.6.1, welds of supplementary web plates for the forces that act on them;
-/// 6.2.6.3: fillet welds with a ≥ t_s/√2.
+/// EN 1993-1-8:2005 6.2.6.1, welds of supplementary web plates for the forces that act on them.
 pub(super) fn doubler_welds(end: &MemberEnd<'_>) -> Vec<Check> {
     let mut out = Vec::new();
     let e = end.e;
@@ -287,9 +312,6 @@ pub(super) fn doubler_welds(end: &MemberEnd<'_>) -> Vec<Check> {
         |c: &&ColumnSide| c.doubler > 0.0 && c.doubler_throat > 0.0 && doubler_fault(c).is_none();
     let Some(c) = e.column.as_ref().filter(counts) else { return out };
     let (subject, a) = (format!("{}, web doubler", end.a.end), c.doubler_throat);
-    let what = ("EN 1993-1-8:2005 6.2.6.3", "throat of the welds of a web doubler");
-    let rule = (c.doubler / SQRT_2, format!("t_s/√2 = {}/√2", n(c.doubler)));
-    out.push(Check::at_least((Topic::Welds, subject.as_str()), what, "a", rule, a, Status::Failed));
     let (Some(steel), Some(panel)) = (welded_steel::of_the_column(e, c), &end.assessment.panel)
     else {
         return out;

@@ -26,6 +26,14 @@ pub(super) fn full_strength_throats(e: &EndPlate) -> Vec<Check> {
         .collect()
 }
 
+/// Least throats and lengths of the welds of the beam, which no load changes.
+pub(super) fn least_sizes(e: &EndPlate) -> Vec<Check> {
+    let (flange, web) = (weld_lengths::shortest_of_flange(e), weld_lengths::web(e).value);
+    let welds = [("beam flange", e.flange_throat, flange), ("beam web", e.web_throat, web)];
+    let fillets = welds.into_iter().filter(|(_, throat, _)| *throat > 0.0);
+    fillets.flat_map(|(part, throat, length)| least_size(part, throat, length)).collect()
+}
+
 /// A stretch of the welds of the beam web, and the rows whose force it takes.
 struct Stretch {
     /// Rows from the tension side.

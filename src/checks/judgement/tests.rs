@@ -1,4 +1,5 @@
 use super::*;
+use crate::checks::Unit;
 use crate::checks::Worked;
 
 fn check(topic: Topic, value: f64, case: Option<&str>) -> Check {
@@ -205,19 +206,11 @@ fn the_last_line_names_what_governs() {
     assert!(j.reason.contains("limit analysis does not know"), "{}", j.reason);
     // where all checks hold, the largest utilisation governs
     let (j, _) = judge(&mut hand(&checks[..1], &[]), &[case("A")]);
-    assert!(j.line(0, None).contains("utilisation 0.9 (6.2)"), "{}", j.line(0, None));
+    assert!(j.line(0, None).contains("utilisation 0.90 (6.2)"), "{}", j.line(0, None));
     let (j, _) = judge(&mut hand(&[check(Topic::Bolts, 0.7, Some("A"))], &[]), &[case("A")]);
     assert!(
         j.line(0, None).contains("utilisation 0.69 … 0.81 (limit analysis)"),
         "{}",
         j.line(0, None)
     );
-}
-
-#[test]
-fn brackets_are_rounded_outwards() {
-    assert_eq!(outwards([1.2691, 1.74827]), [1.26, 1.75]);
-    assert_eq!(outwards([0.69, 0.81]), [0.69, 0.81]);
-    assert_eq!(outwards([0.0, f64::INFINITY]), [0.0, f64::INFINITY]);
-    assert_eq!(outwards([12.34, 1234.5]), [12.3, 1240.0]);
 }

@@ -19,6 +19,10 @@ const STEEL: &str = "#eef1f4";
 const BOLT: &str = "#c9d3dc";
 const FURTHER: &str = "#f3e3c3";
 const MARGIN: f64 = 24.0;
+/// Width of a column from which a weld symbol has room in its panel \[pixels\].
+const WELD_ROOM: f64 = 75.0;
+/// Load cases whose values the sketch of the actions gives.
+const MOST_VALUES: usize = 6;
 
 /// Side view and front view of a joint with what it is made of. `length` is the nominal length of
 /// the bolts, if a suitable length is stocked.
@@ -119,6 +123,18 @@ fn side_view(
             d.line(Pen::Edge, s.at(start, z), s.at(end, z));
         }
         break_line(d, s.at(end, -half), s.at(end, half));
+    }
+    let welds = e.column.as_ref().filter(|c| c.stiffener > 0.0 && 2.0 * face * s.k > WELD_ROOM);
+    if let Some(c) = welds {
+        // inside the panel, to the end of the lower stiffener on the side of the beam
+        let end = [face - c.section.tf, -half + 0.5 * e.beam.tf + 0.5 * c.stiffener];
+        let [x, _] = s.at(-face + c.section.tf, 0.0);
+        weld_symbol(
+            d,
+            s.at(end[0], end[1]),
+            [x + 6.0, s.at(0.0, -0.4 * half)[1]],
+            c.stiffener_throat,
+        );
     }
     let [start, end] = [0.0, stub].map(|x| face + e.thickness + x);
     let place = s.at(start + 0.32 * (end - start), 0.0);
@@ -276,9 +292,14 @@ fn legend(e: &EndPlate, joint: &Content, both: bool, length: Option<f64>) -> Vec
     ));
     if let Some(c) = &e.column {
         if c.stiffener > 0.0 {
+            let clip = c.stiffener_clip;
+            let corners =
+                if clip > 0.0 { format!(", corners cut by {} mm", n(clip)) } else { String::new() };
             out.push(format!(
-                "stiffeners of {} mm on both sides of the column web",
-                n(c.stiffener)
+                "stiffeners {} × {} × {}{corners}, on both sides of the column web",
+                n(c.stiffener),
+                n(0.5 * (c.section.b - c.section.tw)),
+                n(c.section.h - 2.0 * c.section.tf)
             ));
         }
         if c.doubler > 0.0 {
@@ -356,7 +377,11 @@ fn loads(e: &EndPlate) -> Drawing {
         ["Positive as drawn: N pulls, Vz lifts, My gives tension at the top; y′ = z′ × x′. \
                   Values at the bolt plane, load factor 1:"
             .into()];
-    let values = e.actions.iter().map(value);
+    // the table of actions has those of all cases
+    let values = e.actions.iter().take(MOST_VALUES).map(value);
+    let more = e.actions.len().saturating_sub(MOST_VALUES);
+    let rest = (more > 0).then(|| format!("and {more} more, see the table of actions"));
+    let values = values.chain(rest);
     for (i, text) in lines.into_iter().chain(values).enumerate() {
         d.text([MARGIN, y + 140.0 + LINE * i as f64], Anchor::Start, &text);
     }
@@ -370,7 +395,7 @@ fn value(a: &PlaneActions) -> String {
     let all = names.into_iter().zip(units).zip(force.into_iter().chain(moment));
     let values: Vec<String> = all
         .filter(|((name, _), v)| *v != 0.0 || ["N", "Vz", "My"].contains(name))
-        .map(|((name, unit), v)| format!("{name} = {}", unit.show(v)))
+        .map(|((name, unit), v)| format!("{name} = {}", unit.show(v).replace('-', "−")))
         .collect();
     let fixed = a.dead.iter().flatten().any(|v| *v != 0.0);
     let note = if fixed { " (a part of it fixed)" } else { "" };
@@ -428,7 +453,7 @@ mod tests {
         // two beams, twelve bolts in the side view of three rows, six hexagons in front
         assert_eq!(text.matches("<circle").count(), 6);
         let sketch = actions(&e);
-        assert!(sketch.contains("A, beam_right: N = 0 kN, Vz = -30 kN, My = 37 kN m"), "{sketch}");
+        assert!(sketch.contains("A, beam_right: N = 0 kN, Vz = −30 kN, My = 37 kN m"), "{sketch}");
         assert!(sketch.contains("Mz = 1 kN m"), "{sketch}");
     }
 }

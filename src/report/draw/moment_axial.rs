@@ -3,7 +3,7 @@
 
 use crate::checks::MomentAxial;
 use crate::report::draw::axes::Axes;
-use crate::report::draw::svg::{Anchor, Drawing, LETTERS, LINE, Pen, width};
+use crate::report::draw::svg::{Anchor, Drawing, LINE, Pen};
 
 /// The diagram as SVG text. The axial force points to the right (tension positive), the moment
 /// upwards (tension at the top positive).
@@ -30,13 +30,10 @@ pub fn drawing(diagram: &MomentAxial) -> String {
     }
     let [legend, top] = axes.draw(&mut d, ["N [kN]", "M_j [kN m]"]);
     for (name, point) in &demands {
-        let at = axes.at(*point);
-        d.circle(Pen::Edge, "#c03a00", at, 3.5);
-        // the lines of the limits pass behind the name
-        let [x, y] = [at[0] + 7.0, at[1] - 7.0];
-        let half = 0.5 * LETTERS;
-        d.rectangle(Pen::None, "#ffffff", [x - 1.0, y - half], [x + width(name) + 1.0, y + half]);
-        d.text([x, y], Anchor::Start, name);
+        d.name(axes.at(*point), name);
+    }
+    for (_, point) in &demands {
+        d.circle(Pen::Edge, "#c03a00", axes.at(*point), 3.5);
     }
     let y = |line: f64| top + (2.0 + 1.5 * line) * LINE;
     d.rectangle(Pen::Edge, "#dbe7f3", [legend, y(0.0)], [legend + 22.0, y(0.0) + 12.0]);

@@ -172,6 +172,32 @@ impl Drawing {
         );
     }
 
+    /// A name beside a point, on white, where it covers no other text. Without such a place the point
+    /// stays without its name.
+    pub fn name(&mut self, [x, y]: [f64; 2], text: &str) {
+        let (wide, half) = (width(text), 0.5 * LETTERS);
+        let beside = [x + 7.0, x - 7.0 - wide];
+        let levels =
+            [-7.0, 7.0]
+                .into_iter()
+                .chain((1..5).flat_map(|line| {
+                    [-1.0, 1.0].map(|side| side * (7.0 + LINE * f64::from(line)))
+                }));
+        let places = levels.flat_map(|dy| beside.map(|left| [left, y + dy]));
+        let free = |[left, y]: &[f64; 2]| {
+            let mine = [left - 1.0, y - half, left + wide + 1.0, y + half];
+            let apart = |b: &[f64; 4]| {
+                mine[0] >= b[2] || b[0] >= mine[2] || mine[1] >= b[3] || b[1] >= mine[3]
+            };
+            self.labels.iter().all(apart)
+        };
+        let Some([left, y]) = places.into_iter().find(free) else { return };
+        // lines pass behind the name
+        let right = left + wide + 1.0;
+        self.rectangle(Pen::None, "#ffffff", [left - 1.0, y - half], [right, y + half]);
+        self.text([left, y], Anchor::Start, text);
+    }
+
     /// A vertical chain of dimensions at `x`. `ys` are the y of the points from the bottom, `from`
     /// is the x of the line they come from. The texts are placed to the `right` or to the left of
     /// the chain and do not overlap. `show` contains the text between each two neighbours.
@@ -300,6 +326,15 @@ mod tests {
             overlaps(&[[0.0, 0.0, 2.0, 2.0], [1.0, 1.0, 3.0, 3.0], [5.0, 5.0, 6.0, 6.0]]),
             1
         );
+    }
+
+    /// Many points close together: no name covers another one, and the first ones have theirs.
+    #[test]
+    fn names_of_points_do_not_overlap() {
+        let mut d = Drawing::default();
+        (0..29).for_each(|i| d.name([200.0 + f64::from(i % 5), 200.0], &format!("ULS{i}")));
+        assert_eq!(overlaps(&d.labels), 0, "{:?}", d.labels);
+        assert!(d.labels.len() > 10, "{}", d.labels.len());
     }
 
     #[test]

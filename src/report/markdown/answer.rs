@@ -1,7 +1,7 @@
 //! The answer of a load case: the bracket and its meaning to an engineer.
 
 use crate::analysis::cone_shift::FixedPointRun;
-use crate::report::figures::{Rounding, bracket, percent_up, significant};
+use crate::report::figures::{Rounding, bracket, percent_up, significant, utilisation};
 use crate::report::markdown::collapse::{collapse, estimate_words};
 use crate::report::markdown::markup::{inline, paragraph};
 use crate::report::markdown::preload::preload_words;
@@ -137,7 +137,7 @@ fn meaning(page: &mut String, case: &CaseResult, data: &ReportData) {
         (Quantity::LoadFactor, _) => collapse(page, case),
     }
     if let Some([low, high]) = case.utilisation {
-        let (a, b) = (significant(low, 3, Rounding::Down), significant(high, 3, Rounding::Up));
+        let (a, b) = (utilisation(low, Rounding::Down), utilisation(high, Rounding::Up));
         paragraph(page, &format!("Utilisation (demand over capacity) between {a} and {b}."));
     }
     for (label, raw) in

@@ -13,7 +13,8 @@ use crate::report::markdown::title::title_block;
 use crate::report::markdown::warnings::warnings;
 use crate::report::markdown::yielding::yielding;
 use crate::report::markdown::{
-    component_method, demand, forces, hand_checks, input, polygon, stiffness, summary, verdict,
+    component_method, demand, forces, hand_checks, input, method, polygon, stiffness, summary,
+    verdict,
 };
 use crate::report::words::Words;
 
@@ -51,6 +52,7 @@ pub fn report_markdown(data: &ReportData, words: &Words) -> String {
     joint(&mut page, data);
     input::sections(&mut page, data);
     hand_checks::checks(&mut page, &data.result.checks);
+    method::section(&mut page, &data.result.component_method);
     if !data.result.cases.is_empty() {
         analyses(&mut page, data);
     }

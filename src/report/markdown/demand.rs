@@ -2,7 +2,7 @@
 
 use crate::assembly::PlaneActions;
 use crate::checks::check::{Unit, number};
-use crate::report::figures::{Rounding, bracket, significant};
+use crate::report::figures::{Rounding, bracket, significant, utilisation};
 use crate::report::markdown::markup::{strings, table};
 use crate::report::markdown::report_data::{GivenActions, Table};
 use crate::result::demand::{Demand, EndAction};
@@ -16,8 +16,7 @@ pub(crate) fn demands(page: &mut String, result: &ResultFile, given: &[GivenActi
     if judged.len() > 1 {
         let rows = judged.iter().map(|(c, d)| {
             let between = c.utilisation.map_or("–".into(), |[l, u]| {
-                let (l, u) = bracket(l, u, 3);
-                format!("{l} … {u}")
+                format!("{} … {}", utilisation(l, Rounding::Down), utilisation(u, Rounding::Up))
             });
             vec![c.name.clone(), d.verdict.words().into(), between]
         });

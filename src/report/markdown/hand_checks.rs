@@ -1,10 +1,9 @@
 //! The hand checks in the report: one table per topic, with the numbers of every formula.
 
 use crate::checks::{Check, Status, Step, Topic};
-use crate::report::figures::{Rounding, significant};
 use crate::report::markdown::markup::{bold, heading, inline, paragraph, strings, table};
 use crate::report::markdown::report_data::Table;
-use crate::report::summary::EXCEEDED;
+use crate::report::summary::{EXCEEDED, used_words};
 
 /// The lines below the verdict: the checks that failed, and those that the code leaves undecided.
 pub(crate) fn failed(page: &mut String, checks: &[Check]) {
@@ -21,11 +20,38 @@ pub(crate) fn failed(page: &mut String, checks: &[Check]) {
             continue;
         }
         paragraph(page, &format!("**{}**:", if found.len() == 1 { one } else { many }));
-        for c in found {
-            page.push_str(&format!("- {}\n", inline(&c.sentence())));
+        for (c, cases) in each_once(&found) {
+            let mut text = c.sentence();
+            if cases > 1 {
+                text += &format!("; the worst of {cases} cases");
+            }
+            page.push_str(&format!("- {}\n", inline(&text)));
         }
         page.push('\n');
     }
+}
+
+/// Checks that differ in nothing but their load case are one, the worst of them, with the number of
+/// cases.
+fn each_once<'a>(checks: &[&'a Check]) -> Vec<(&'a Check, usize)> {
+    let used = |c: &Check| c.utilisation.unwrap_or(f64::INFINITY);
+    let mut out: Vec<(&Check, Vec<&Option<String>>)> = Vec::new();
+    for &c in checks {
+        let same =
+            |o: &Check| (&o.title, &o.subject, &o.clause) == (&c.title, &c.subject, &c.clause);
+        match out.iter_mut().find(|(o, _)| same(o)) {
+            Some((worst, cases)) => {
+                if used(c) > used(worst) {
+                    *worst = c;
+                }
+                if !cases.contains(&&c.case) {
+                    cases.push(&c.case);
+                }
+            }
+            None => out.push((c, vec![&c.case])),
+        }
+    }
+    out.into_iter().map(|(c, cases)| (c, cases.len())).collect()
 }
 
 /// The section of hand checks, below the input.
@@ -44,8 +70,7 @@ pub(crate) fn checks(page: &mut String, checks: &[Check]) {
         let rows = mine.iter().map(|c| {
             let mut row = vec![place(c), c.title.clone(), formula(c), c.clause.clone()];
             if decided {
-                let used =
-                    c.utilisation.map_or_else(|| "–".into(), |u| significant(u, 3, Rounding::Up));
+                let used = used_words(c);
                 let word = status(c);
                 let stands_out = matches!(c.status, Status::Failed | Status::Undecided);
                 row.extend([used, if stands_out { bold(word) } else { word.into() }]);

@@ -53,6 +53,10 @@ pub(crate) fn inline(text: &str) -> String {
             '*' => !(gap(before) && gap(after)),
             '_' => !(word(before) && word(after)),
             '~' => is(before, "~") || is(after, "~"),
+            BOLD => {
+                out.push_str("**");
+                continue;
+            }
             '`' => odd_ticks,
             // the begin of a heading, a quotation or a list
             '#' | '>' => i == 0,
@@ -67,30 +71,25 @@ pub(crate) fn inline(text: &str) -> String {
     out
 }
 
-/// Begins a cell that the program sets bold. Unlike `**`, no text of a user looks like it.
+/// Around words that the program sets bold. Unlike `**`, no text of a user looks like it, so that
+/// [`inline`] can write it as Markdown.
 const BOLD: char = '\u{e000}';
 
-/// A bold cell of a table.
+/// Bold words within a text for [`inline`] or a cell of a table.
 pub(crate) fn bold(text: &str) -> String {
-    format!("{BOLD}{text}")
-}
-
-fn cell(text: &str) -> String {
-    match text.strip_prefix(BOLD) {
-        Some(text) => format!("**{}**", inline(text)),
-        None => inline(text),
-    }
+    format!("{BOLD}{text}{BOLD}")
 }
 
 pub(crate) fn table(page: &mut String, table: &Table) {
     let row = |cells: &[String]| {
-        format!("| {} |\n", cells.iter().map(|c| cell(c)).collect::<Vec<_>>().join(" | "))
+        format!("| {} |\n", cells.iter().map(|c| inline(c)).collect::<Vec<_>>().join(" | "))
     };
     page.push_str(&row(&table.columns));
     let number = |c: usize| {
         table.rows.iter().all(|r| {
             r.get(c).is_none_or(|t| {
-                t.is_empty() || t.starts_with(|l: char| l.is_ascii_digit() || "-<–".contains(l))
+                let t = t.trim_start_matches(BOLD);
+                t.is_empty() || t.starts_with(|l: char| l.is_ascii_digit() || "-−<–".contains(l))
             })
         })
     };
@@ -130,6 +129,7 @@ mod tests {
         ] {
             assert_eq!(inline(text), shown);
         }
+        assert_eq!(inline(&format!("a {} *b*", bold("1|2"))), "a **1\\|2** \\*b\\*");
         // texts of the program have these marks and stay as they are
         for text in ["F_t,Rd = 2 * γ_M2 [mm]", "`max_passes` of 3", "-43.2 kN m", "~ 3: 4/5 (EN)"]
         {

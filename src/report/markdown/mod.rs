@@ -13,6 +13,7 @@ pub mod history;
 pub mod input;
 pub mod joint;
 pub mod markup;
+pub mod method;
 pub mod polygon;
 pub mod preload;
 pub mod report_data;

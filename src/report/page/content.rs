@@ -72,6 +72,7 @@ impl<'a> Content<'a> {
                 sheet.topics.iter().for_each(|t| c.topic(t));
             });
         }
+        self.further(&sheet.method);
         if !sheet.schedule.rows.is_empty() {
             self.titled("Bolts, plates and stiffeners", |c| c.grid(&sheet.schedule));
         }

@@ -8,10 +8,10 @@ use super::{
     Bar, BarLabels, CaseAnswer, Extent, Section, Sheet, SummaryLine, TopicSheet, VerdictBox,
     WorkedRow,
 };
-use crate::checks::check::number;
 use crate::checks::component_method::{ELASTIC_STIFFNESS, INITIAL_STIFFNESS, MOMENT_RESISTANCE};
+use crate::checks::end_plate::MethodRecord;
 use crate::checks::verdict::Verdict;
-use crate::checks::{Check, Status};
+use crate::checks::{Check, Status, Unit};
 use crate::report::figures::{Rounding, significant};
 use crate::report::markdown::answer::answer;
 use crate::report::markdown::assumptions::assumptions;
@@ -24,11 +24,12 @@ use crate::report::markdown::warnings::all_warnings;
 use crate::report::markdown::words::analysis_word;
 use crate::report::markdown::yielding::yielding;
 use crate::report::markdown::{
-    certificate, component_method, forces, history, input, polygon, stiffness,
+    certificate, component_method, forces, history, input, method, polygon, stiffness,
 };
-use crate::report::summary::{SummaryRow, Tone, summary_rows};
+use crate::report::summary::{SummaryRow, Tone, summary_rows, used_words};
 use crate::report::words::Words;
 use crate::result::result_file::{CaseResult, Quantity, ResultFile, Upper};
+use std::collections::BTreeSet;
 
 /// The sheet of a report.
 pub fn sheet(data: &ReportData, words: &Words, extent: Extent, paper: Paper) -> Sheet {
@@ -41,7 +42,10 @@ pub fn sheet(data: &ReportData, words: &Words, extent: Extent, paper: Paper) -> 
     let others = data.project.iter().skip(1).filter(|l| !filed.contains(&l.0.as_str())).cloned();
     let project = block.into_iter().chain(others).collect();
     let hash = data.result.input_hash.clone();
-    let rows = summary_rows(&data.result);
+    let (rows, note) = match full {
+        true => (summary_rows(&data.result), String::new()),
+        false => in_worst_case(summary_rows(&data.result)),
+    };
     let sentences = |all: Vec<String>| all.iter().map(|s| sentence(&words.say(s))).collect();
     Sheet {
         extent,
@@ -52,8 +56,10 @@ pub fn sheet(data: &ReportData, words: &Words, extent: Extent, paper: Paper) -> 
         plane_actions: grid(&data.plane_actions, words),
         plane_note: pieces(&words.say(ON_PLANES)),
         summary: rows.into_iter().map(|r| summary_line(r, words)).collect(),
+        summary_note: pieces(&words.say(&note)),
         answers: data.result.cases.iter().map(|c| case_answer(c, data, words)).collect(),
         frame: if full { Grid::default() } else { grid(&joint_values(&data.result.checks), words) },
+        method: method_section(&data.result.component_method, full, words),
         pictures: captions(&data.pictures, words),
         design_values: design_values(&data.resolved, words),
         schedule: grid(&data.schedule, words),
@@ -84,6 +90,34 @@ fn joint_values(checks: &[Check]) -> Table {
         columns: COLUMNS.map(String::from).into(),
         rows: checks.iter().filter(|c| c.title == MOMENT_RESISTANCE).map(row).collect(),
     }
+}
+
+/// Of more than [`EVERY_CASE`] load cases each check in its worst one, with the note that says so.
+fn in_worst_case(mut rows: Vec<SummaryRow>) -> (Vec<SummaryRow>, String) {
+    let cases: BTreeSet<String> = rows.iter().map(|r| r.case.clone()).collect();
+    if cases.len() <= EVERY_CASE {
+        return (rows, String::new());
+    }
+    let all = rows.len();
+    let mut seen = BTreeSet::new();
+    // the worst come first
+    rows.retain(|r| r.governs || seen.insert((r.check.clone(), r.clause.clone())));
+    let note = format!(
+        "Each check in its worst load case: {} of {all} rows; report.html and the full report have \
+         all.",
+        rows.len()
+    );
+    (rows, note)
+}
+
+/// Load cases up to which the short report lists every check of each.
+const EVERY_CASE: usize = 4;
+
+/// The component method of every sense of bending, or of those of the load cases.
+fn method_section(records: &[MethodRecord], full: bool, words: &Words) -> Vec<Section> {
+    let loaded = records.iter().any(|r| r.bends);
+    let shown = records.iter().filter(|r| full || !loaded || r.bends);
+    titled([(method::TITLE, section(words, |page| method::senses(page, shown)))], words)
 }
 
 fn summary_line(mut row: SummaryRow, words: &Words) -> SummaryLine {
@@ -204,8 +238,6 @@ fn worked(c: &Check, words: &Words) -> WorkedRow {
         Status::Undecided => Tone::Open,
         Status::Warning | Status::Information => Tone::Quiet,
     };
-    // the same digits as in the summary
-    let used = c.utilisation.map(number);
     WorkedRow {
         of: words.say(&place(c)),
         check: pieces(&words.say(&c.title)),
@@ -216,7 +248,7 @@ fn worked(c: &Check, words: &Words) -> WorkedRow {
             .map(|s| pieces(&s))
             .collect(),
         clause: words.say(&c.clause),
-        utilisation: used.unwrap_or_else(|| "–".into()),
+        utilisation: used_words(c),
         status: words.say(status(c)),
         tone,
     }
@@ -224,8 +256,11 @@ fn worked(c: &Check, words: &Words) -> WorkedRow {
 
 /// Demand over resistance with their numbers, where the formula does not end with it.
 fn ratio(c: &Check) -> Option<String> {
+    if c.case.is_none() || c.utilisation.is_none() || c.is_limit() || c.unit == Unit::Number {
+        return None;
+    }
     let [demand, resistance] = [c.demand?, c.resistance?].map(|v| c.unit.show(v));
-    let used = number(c.utilisation.filter(|_| c.case.is_some())?);
+    let used = used_words(c);
     let said = c.formula.contains(&demand) && c.formula.contains(&resistance);
     (!said).then(|| format!("E_d / R_d = {demand} / {resistance} = {used}"))
 }

@@ -149,10 +149,15 @@ pub struct Sheet {
     pub plane_note: Vec<Piece>,
     /// Checks with a demand, worst first.
     pub summary: Vec<SummaryLine>,
+    /// What the summary leaves out; empty where it has all.
+    pub summary_note: Vec<Piece>,
     /// Bounds of the load cases.
     pub answers: Vec<CaseAnswer>,
     /// Resistance and stiffness for the analysis of the frame in the short report.
     pub frame: Grid,
+    /// The component method with its numbers, in the short report of the senses of bending of the
+    /// load cases.
+    pub method: Vec<Section>,
     /// Pictures of mesh and mechanism.
     pub pictures: Vec<PictureRef>,
     /// Partial factors and strengths: symbol, of what, value.

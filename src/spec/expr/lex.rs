@@ -61,6 +61,10 @@ pub(super) fn lex(text: &str) -> Result<Vec<Spanned>, ExprError> {
                 i += 1;
             }
             Token::Word(text[start..i].to_owned())
+        } else if text[start..].starts_with('−') {
+            // the minus sign of typesetting, as a report prints it
+            i += '−'.len_utf8();
+            Token::Symbol("-")
         } else if let Some(s) = SYMBOLS.iter().find(|s| text[start..].starts_with(**s)) {
             i += s.len();
             Token::Symbol(s)

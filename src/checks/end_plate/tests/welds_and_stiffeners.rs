@@ -25,7 +25,7 @@ fn clause_4_5_3_3_welds_with_a_throat() {
         (web.utilisation.unwrap_or(f64::NAN) - 40e3 / (248.6 - 5.0) / strength(2.5)).abs() < 1e-9,
         "{web:#?}"
     );
-    assert_eq!(find(&h, "beam_right, beam web", "least throat").status, Status::Failed);
+    assert_eq!(find(&h, "beam web", "least throat").status, Status::Failed);
 }
 
 /// A row below the flange acts on b_eff of the welds of the web. By hand, from the force of its
@@ -241,7 +241,7 @@ fn clause_4_5_3_3_welds_of_stiffeners() {
         .expect("web");
     assert_eq!((web.demand, web.status), (Some(0.0), Status::Ok));
     let thin = checks(&joint("stiffener_weld: 2", ONE));
-    assert_eq!(find(&thin, "beam_right, column stiffeners", "least throat").status, Status::Failed);
+    assert_eq!(find(&thin, "column stiffeners", "least throat").status, Status::Failed);
     assert!(loaded(ONE).checks.iter().all(|c| c.title != title), "butt welds have none");
 }
 
@@ -282,9 +282,9 @@ fn clause_6_2_6_1_welds_of_a_doubler() {
         checks(&joint(&format!("doubler: true, doubler_thickness: 9, doubler_weld: {a}"), ONE))
     };
     let throat = "throat of the welds of a web doubler";
-    assert_eq!(find(&of(6.3), "beam_right, web doubler", throat).status, Status::Failed);
+    assert_eq!(find(&of(6.3), "web doubler", throat).status, Status::Failed);
     let h = of(6.4);
-    let check = find(&h, "beam_right, web doubler", throat);
+    let check = find(&h, "web doubler", throat);
     assert_eq!(check.status, Status::Ok);
     near(check.demand.unwrap_or(f64::NAN), 6.364, 1e-4);
     let flow = find(&h, "beam_right, web doubler", "shear flow in the welds of a web doubler");
