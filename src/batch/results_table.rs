@@ -65,8 +65,8 @@ impl Kind {
 }
 
 /// A row of the tables: names of columns with their values; null where there is none. `choice`: the
-/// columns of the choice; `derived`: those of the values of `set`. `known` is the record, or what the
-/// checks of an unfinished case have found.
+/// columns of the choice; `derived`: those of the values of `set`. `known` is the record, or what
+/// the checks of an unfinished case have found.
 fn row(
     plan: &Plan,
     case: &Case,

@@ -21,8 +21,8 @@ const BODY: &str = include_str!("summary/body.html");
 /// Rows that the page holds: a browser sorts and filters so many without delay.
 const MOST_ROWS: usize = 20_000;
 
-/// The rows, at most `most`: the worst outcome first, then the largest utilisation. Rows that are open
-/// come first.
+/// The rows, at most `most`: the worst outcome first, then the largest utilisation. Rows that are
+/// open come first.
 pub fn worst_first(rows: &[Map<String, Value>], most: usize) -> Vec<&Map<String, Value>> {
     let mut out: Vec<&Map<String, Value>> = rows.iter().collect();
     let rank =

@@ -274,8 +274,8 @@ impl Zones<'_> {
         Ok((pictures, cut))
     }
 
-    /// The cut through the slice with the largest sum, seen from the side of the drawing, along x from
-    /// the nearer side; `None` where nothing is to be seen or little hides it.
+    /// The cut through the slice with the largest sum, seen from the side of the drawing, along x
+    /// from the nearer side; `None` where nothing is to be seen or little hides it.
     fn plane(&self, model: &AnalysisModel, axis: usize, mirrored: bool) -> Option<Plane> {
         let mesh = &model.mesh;
         let at = |x: &V3| x[axis];

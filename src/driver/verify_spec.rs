@@ -45,6 +45,7 @@ pub fn compared(claimed: &ResultFile, again: &ResultFile) -> Vec<String> {
     pair("judgement", json!(claimed.judgement), json!(again.judgement));
     pair("checks", json!(claimed.checks), json!(again.checks));
     pair("neglected", json!(claimed.neglected), json!(again.neglected));
+    pair("component_method", json!(claimed.component_method), json!(again.component_method));
     for (a, b) in claimed.cases.iter().zip(&again.cases) {
         let name = |key: &str| format!("{}: {key}", a.name);
         pair(&name("utilisation"), json!(a.utilisation), json!(b.utilisation));

@@ -172,8 +172,8 @@ impl Drawing {
         );
     }
 
-    /// A name beside a point, on white, where it covers no other text. Without such a place the point
-    /// stays without its name.
+    /// A name beside a point, on white, where it covers no other text. Without such a place the
+    /// point stays without its name.
     pub fn name(&mut self, [x, y]: [f64; 2], text: &str) {
         let (wide, half) = (width(text), 0.5 * LETTERS);
         let beside = [x + 7.0, x - 7.0 - wide];

@@ -54,7 +54,7 @@ fn given(r: &MethodRecord) -> String {
         parts.push(format!("β = {}", trimmed(r.beta, 4)));
     }
     let mut steel = |name: &str, thickness: f64, fy: f64| {
-        let text = format!("{name} t = {} mm with f_y = {} MPa", length(thickness), trimmed(fy, 1));
+        let text = format!("{name}: t = {} mm, f_y = {} MPa", length(thickness), trimmed(fy, 1));
         if !parts.contains(&text) {
             parts.push(text);
         }
