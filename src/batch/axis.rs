@@ -1,6 +1,6 @@
 //! The values of an axis: a list, a range of numbers, or a range of profiles.
 
-use super::dimension::{Dimension, Step};
+use super::dimension::{Dimension, Setting};
 use super::spec_path::SpecPath;
 use crate::catalog::{Catalog, IProfile};
 use crate::diag::{Diagnostic, Place};
@@ -75,7 +75,7 @@ pub fn dimension(
             v => Some(v),
         };
         let values = values.into_iter().map(given).collect();
-        Ok(Step { name: None, values, expect: None, place })
+        Ok(Setting { name: None, values, expect: None, place })
     });
     let steps = steps.collect::<Result<Vec<_>, Box<Diagnostic>>>()?;
     Ok(Dimension { what: format!("the axis `{key}`"), table: false, paths, steps })

@@ -8,7 +8,7 @@ use serde_json::Value;
 
 /// The values of one step of a dimension.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Step {
+pub struct Setting {
     /// Name of the joint, if the table gives one.
     pub name: Option<String>,
     /// Values in the order of the paths; `None`: the value of the base stays.
@@ -20,7 +20,7 @@ pub struct Step {
     pub place: Place,
 }
 
-impl Step {
+impl Setting {
     /// The name of the joint, or the values where the table gives none.
     pub fn name(&self) -> String {
         self.name.clone().unwrap_or_else(|| {
@@ -40,12 +40,12 @@ pub struct Dimension {
     /// The paths that change.
     pub paths: Vec<SpecPath>,
     /// Their values.
-    pub steps: Vec<Step>,
+    pub steps: Vec<Setting>,
 }
 
 impl Dimension {
     /// Writes the values of a step into a spec; the error names the path that cannot be written.
-    pub fn set(&self, step: &Step, spec: &mut Value) -> Result<(), (&SpecPath, String)> {
+    pub fn set(&self, step: &Setting, spec: &mut Value) -> Result<(), (&SpecPath, String)> {
         for (path, value) in self.paths.iter().zip(&step.values) {
             if let Some(value) = value {
                 path.set(spec, value.clone()).map_err(|e| (path, e))?;

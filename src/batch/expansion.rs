@@ -2,7 +2,7 @@
 //! spec. The last dimension changes fastest.
 
 use super::derived::Derived;
-use super::dimension::{Dimension, Step, words};
+use super::dimension::{Dimension, Setting, words};
 use super::spec_path::SpecPath;
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::spec::connection::ConnectionSpec;
@@ -28,7 +28,7 @@ pub struct Expansion {
 /// Whose fault makes a combination unsound.
 enum Fault {
     /// That of a value of the step.
-    Step(Diagnostic),
+    Setting(Diagnostic),
     /// That of another dimension.
     Other,
     /// That of the base.
@@ -73,7 +73,7 @@ impl Expansion {
     }
 
     /// The step of each dimension in a combination.
-    pub fn steps(&self, index: u64) -> Vec<&Step> {
+    pub fn steps(&self, index: u64) -> Vec<&Setting> {
         let positions = self.positions(index);
         self.dimensions.iter().zip(positions).map(|(d, i)| &d.steps[i]).collect()
     }
@@ -83,7 +83,7 @@ impl Expansion {
         self.with(&self.steps(index)).map_err(|(_, message)| message)
     }
 
-    fn with(&self, steps: &[&Step]) -> Result<Value, (&SpecPath, String)> {
+    fn with(&self, steps: &[&Setting]) -> Result<Value, (&SpecPath, String)> {
         let mut spec = self.base.clone();
         for (d, step) in self.dimensions.iter().zip(steps) {
             d.set(step, &mut spec)?;
@@ -93,7 +93,7 @@ impl Expansion {
 
     /// The values of a combination: each path with its value in the base or of the step.
     pub fn values(&self, index: u64) -> Vec<(&str, String)> {
-        let of = |(d, step): (&'_ Dimension, &'_ Step)| -> Vec<(usize, String)> {
+        let of = |(d, step): (&'_ Dimension, &'_ Setting)| -> Vec<(usize, String)> {
             let text = |(i, v): (usize, &Option<Value>)| {
                 let base = || d.paths[i].get(&self.base);
                 (i, v.as_ref().or_else(base).map(words).unwrap_or_default())
@@ -111,7 +111,7 @@ impl Expansion {
     pub fn name(&self, index: u64) -> String {
         let steps = self.steps(index);
         let parts: Vec<String> =
-            steps.into_iter().map(Step::name).filter(|part| !part.is_empty()).collect();
+            steps.into_iter().map(Setting::name).filter(|part| !part.is_empty()).collect();
         if parts.is_empty() { "base".into() } else { parts.join(" ") }
     }
 
@@ -123,8 +123,8 @@ impl Expansion {
     }
 
     /// The spec with a step of the dimension `i` beside the first steps of the others.
-    fn beside_first(&self, i: usize, step: &Step) -> Result<Value, (&SpecPath, String)> {
-        let mut steps: Vec<&Step> = self.dimensions.iter().map(|d| &d.steps[0]).collect();
+    fn beside_first(&self, i: usize, step: &Setting) -> Result<Value, (&SpecPath, String)> {
+        let mut steps: Vec<&Setting> = self.dimensions.iter().map(|d| &d.steps[0]).collect();
         steps[i] = step;
         self.with(&steps)
     }
@@ -146,7 +146,7 @@ impl Expansion {
                 };
                 let Some(fault) = fault else { continue };
                 match self.placed(fault, i, step, place) {
-                    Fault::Step(fault) => faults.push(fault),
+                    Fault::Setting(fault) => faults.push(fault),
                     // it is reported with the dimension that brings it
                     Fault::Other => {}
                     // a fault of the base is in every case
@@ -164,7 +164,13 @@ impl Expansion {
     }
 
     /// Whose fault it is, at its place.
-    fn placed(&self, fault: Diagnostic, dimension: usize, step: &Step, base: &PlaceIndex) -> Fault {
+    fn placed(
+        &self,
+        fault: Diagnostic,
+        dimension: usize,
+        step: &Setting,
+        base: &PlaceIndex,
+    ) -> Fault {
         let d = &self.dimensions[dimension];
         let at = fault.place.path.clone().unwrap_or_default();
         // a key or entry on the way to a value that the base does not have comes with the value
@@ -181,7 +187,7 @@ impl Expansion {
                     place.path = Some(path.text().into());
                 }
                 let message = format!("{}: {}", d.what, fault.message);
-                Fault::Step(Diagnostic { place, message, ..fault })
+                Fault::Setting(Diagnostic { place, message, ..fault })
             }
             None if self.dimensions.iter().any(|o| o.paths.iter().any(touches)) => Fault::Other,
             None => Fault::Base(Diagnostic { place: base.place(&at), ..fault }),
@@ -192,12 +198,12 @@ impl Expansion {
     fn words_for_numbers(&mut self) {
         for i in 0..self.dimensions.len() {
             for k in 0..self.dimensions[i].paths.len() {
-                let is_number = |s: &Step| matches!(s.values[k], Some(Value::Number(_)));
+                let is_number = |s: &Setting| matches!(s.values[k], Some(Value::Number(_)));
                 let Some(step) = self.dimensions[i].steps.iter().find(|s| is_number(s)).cloned()
                 else {
                     continue;
                 };
-                let at_fault = |step: &Step| {
+                let at_fault = |step: &Setting| {
                     let spec = self.beside_first(i, step).ok();
                     let fault = spec.and_then(|s| typed(&s, &self.file).err());
                     let path = canonical(self.dimensions[i].paths[k].text(), &self.base);

@@ -6,7 +6,7 @@ use std::fmt;
 
 /// A step of a path.
 #[derive(Clone, Debug, PartialEq, Eq)]
-enum Step {
+enum Setting {
     /// A key; in a list the name of an entry.
     Key(String),
     /// The position in a list.
@@ -17,7 +17,7 @@ enum Step {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SpecPath {
     text: String,
-    steps: Vec<Step>,
+    steps: Vec<Setting>,
 }
 
 impl SpecPath {
@@ -30,13 +30,13 @@ impl SpecPath {
             if key.is_empty() || key.contains(|c: char| c.is_whitespace() || c == ']') {
                 return Err(format!("`{text}` is not a path such as `plate.thickness`"));
             }
-            steps.push(Step::Key(key.into()));
+            steps.push(Setting::Key(key.into()));
             while let Some(inner) = rest.strip_prefix('[') {
                 let end = inner.find(']').unwrap_or(inner.len());
                 let Ok(index) = inner[..end].parse() else {
                     return Err(format!("`{text}`: `[{}` is not a position", &inner[..end]));
                 };
-                steps.push(Step::Index(index));
+                steps.push(Setting::Index(index));
                 rest = inner.get(end + 1..).unwrap_or("");
             }
             if !rest.is_empty() {
@@ -60,23 +60,23 @@ impl SpecPath {
                 *at = Value::Object(Map::new());
             }
             at = match (step, at) {
-                (Step::Key(key), Value::Object(map)) => {
+                (Setting::Key(key), Value::Object(map)) => {
                     map.entry(key.clone()).or_insert(Value::Null)
                 }
-                (Step::Key(key), Value::Array(list)) => self.named(list, key)?,
-                (Step::Index(i), Value::Array(list)) => {
+                (Setting::Key(key), Value::Array(list)) => self.named(list, key)?,
+                (Setting::Index(i), Value::Array(list)) => {
                     if *i == list.len() {
                         list.push(Value::Null);
                     }
                     let n = list.len();
                     list.get_mut(*i).ok_or_else(|| format!("`{self}`: the list has {n} entries"))?
                 }
-                (Step::Key(key), _) => {
+                (Setting::Key(key), _) => {
                     return Err(format!(
                         "`{self}`: `{key}` is a key of something that has no keys"
                     ));
                 }
-                (Step::Index(i), _) => {
+                (Setting::Index(i), _) => {
                     return Err(format!(
                         "`{self}`: `[{i}]` is a position in something that is no list"
                     ));
@@ -113,11 +113,11 @@ impl SpecPath {
         let mut at = spec;
         for step in &self.steps {
             at = match (step, at) {
-                (Step::Key(key), Value::Object(map)) => map.get(key)?,
-                (Step::Key(key), Value::Array(list)) => {
+                (Setting::Key(key), Value::Object(map)) => map.get(key)?,
+                (Setting::Key(key), Value::Array(list)) => {
                     list.iter().find(|v| v.get("name").and_then(Value::as_str) == Some(key))?
                 }
-                (Step::Index(i), Value::Array(list)) => list.get(*i)?,
+                (Setting::Index(i), Value::Array(list)) => list.get(*i)?,
                 _ => return None,
             };
         }

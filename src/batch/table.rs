@@ -5,7 +5,7 @@
 //! decimals. A line that starts with `#` is a comment.
 
 use super::column::{self, Column, Decimals};
-use super::dimension::{Dimension, Step};
+use super::dimension::{Dimension, Setting};
 use crate::diag::{Diagnostic, Diagnostics, Place};
 use crate::text_file;
 use std::collections::BTreeMap;
@@ -98,8 +98,12 @@ fn parse(text: &str, file: &Path) -> Result<Dimension, Diagnostics> {
             continue;
         }
         let line = record.position().map_or(0, |p| line_of(text, p));
-        let mut step =
-            Step { name: None, values: Vec::new(), expect: None, place: place(file, line, None) };
+        let mut step = Setting {
+            name: None,
+            values: Vec::new(),
+            expect: None,
+            place: place(file, line, None),
+        };
         for ((header, column), cell) in headers.iter().zip(&columns).zip(&record) {
             let read = match column {
                 Column::Name => {
