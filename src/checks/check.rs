@@ -340,6 +340,13 @@ pub fn within(value: f64, limit: f64) -> bool {
     limits::at_most(value, limit)
 }
 
+/// Sum of forces or moments that may balance: 0 where only rounding is left of them.
+pub fn balance(of: impl IntoIterator<Item = f64>) -> f64 {
+    let (sum, size) = of.into_iter().fold((0.0, 0.0), |(s, size), x| (s + x, size + x.abs()));
+    // beside the size of its terms it is nothing but rounding
+    if within(size + sum.abs(), size) { 0.0 } else { sum }
+}
+
 /// The item with the largest value, the first of those that are equal but for rounding.
 pub fn largest<T>(of: impl IntoIterator<Item = T>, value: impl Fn(&T) -> f64) -> Option<T> {
     of.into_iter().reduce(|a, b| if within(value(&b), value(&a)) { a } else { b })

@@ -65,7 +65,7 @@ pub(super) fn beam(e: &EndPlate, a: &PlaneActions) -> Vec<Check> {
                 }
                 let mut check = against(worked, my);
                 // a shear force beyond V_pl,Rd leaves no moment; its own check fails with a number
-                if check.utilisation.is_none() && vz.abs() > beam.shear().value {
+                if check.utilisation.is_none() && !within(vz.abs(), beam.shear().value) {
                     check.status = Status::Undecided;
                 }
                 out.push(check);

@@ -3,7 +3,7 @@
 
 use super::column_forces::{CornerForces, columns, node_moment, of_case};
 use crate::assembly::{ColumnSide, EndPlate};
-use crate::checks::check::{Check, Status, Topic, Unit, number as n};
+use crate::checks::check::{Check, Status, Topic, Unit, number as n, within};
 use crate::checks::eurocode::section::CrossSection;
 use crate::checks::worked::Worked;
 
@@ -61,7 +61,7 @@ pub(super) fn under_load(e: &EndPlate, case: &str) -> Vec<Check> {
             from += ", N_Ed of the spec";
         }
         let given = c.moment.unwrap_or(0.0).abs();
-        if given > corner.moment {
+        if !within(given, corner.moment) {
             from += ", M_Ed of the spec";
         }
         let forces = Forces {

@@ -5,7 +5,7 @@
 //! that the joint does not know.
 
 use crate::assembly::{ColumnSide, EndPlate, PlaneActions};
-use crate::checks::check::{Unit, number as n};
+use crate::checks::check::{Unit, balance, number as n};
 
 /// The one column at a corner of a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -46,7 +46,7 @@ pub(super) fn corner(c: &ColumnSide) -> Option<Corner> {
 
 /// Horizontal force of the beams on the node along +x \[N\].
 fn horizontal<'a>(actions: impl Iterator<Item = &'a PlaneActions>) -> f64 {
-    actions.map(|a| a.outward * a.at(1.0)[0][0]).sum()
+    balance(actions.map(|a| a.outward * a.at(1.0)[0][0]))
 }
 
 /// The actions of one load case.
@@ -59,14 +59,14 @@ pub(super) fn of_case<'a>(
 
 /// Moment of all beams about the node, right-handed about +y \[N mm\].
 pub(super) fn node_moment(e: &EndPlate, case: &str) -> f64 {
-    of_case(e, case).map(|a| a.outward * a.moment_at_node()).sum()
+    balance(of_case(e, case).map(|a| a.outward * a.moment_at_node()))
 }
 
 impl CornerForces {
     /// Forces of the column at a corner under a load case; `None` without a corner.
     pub fn new(e: &EndPlate, case: &str) -> Option<Self> {
         let corner = corner(e.column.as_ref()?)?;
-        let lift: f64 = of_case(e, case).map(|a| a.at(1.0)[0][2]).sum();
+        let lift = balance(of_case(e, case).map(|a| a.at(1.0)[0][2]));
         let (push, at_node) = (horizontal(of_case(e, case)), node_moment(e, case));
         // the column below is pressed by what weighs on the node, the one above pulled
         let (axial, lever) = match corner {

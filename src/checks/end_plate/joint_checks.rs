@@ -4,7 +4,7 @@
 use super::column_forces::PanelShear;
 use super::member_end::{LoadedEnd, MemberEnd};
 use super::transformation::other_ends;
-use crate::checks::check::{Check, Status, Topic, Unit};
+use crate::checks::check::{Check, Status, Topic, Unit, within};
 use crate::checks::component_method::Summed;
 use crate::checks::worked::Worked;
 
@@ -88,7 +88,8 @@ pub(super) fn panel(end: &MemberEnd<'_>) -> Option<Check> {
     for o in other_ends(end.e, end.a) {
         let m = o.at(1.0)[1][1];
         other += m;
-        if m.abs() > own.abs() || (m.abs() == own.abs() && o.end < end.a.end) {
+        let (larger, less) = (!within(m.abs(), own.abs()), !within(own.abs(), m.abs()));
+        if larger || (!less && o.end < end.a.end) {
             return None;
         }
     }

@@ -17,7 +17,7 @@ use super::stiffener_checks::{doubler_welds, stiffeners};
 use super::transformation::beta;
 use super::weld_checks;
 use crate::assembly::{EndPlate, PlaneActions};
-use crate::checks::check::{Check, Status, Topic, Unit};
+use crate::checks::check::{Check, Status, Topic, Unit, within};
 use crate::checks::eurocode::i_section::Section;
 use crate::checks::eurocode::section::plastic_shear;
 
@@ -142,6 +142,6 @@ fn no_moment(end: &MemberEnd<'_>, moment: f64) -> Option<Check> {
     let e = end.e;
     let area = Section::from(&e.beam).shear_area();
     let plastic = plastic_shear(area, e.beam_steel.fy, e.factors.gamma_m0);
-    let status = if vz.abs() > plastic { none.status } else { Status::Failed };
+    let status = if within(vz.abs(), plastic) { Status::Failed } else { none.status };
     Some(Check { status, ..none })
 }

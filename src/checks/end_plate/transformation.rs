@@ -2,6 +2,9 @@
 
 use crate::assembly::{EndPlate, PlaneActions};
 
+/// Steps of β in 1: what is less is rounding of the moments.
+const STEPS: f64 = 1e9;
+
 /// Transformation parameter β of a member end: `|1 − M_j,b2/M_j,b1| ≤ 2` with the moments at the
 /// node, that of the other beam in the numerator; 1 where no other beam acts, 0 in a splice.
 ///
@@ -17,7 +20,8 @@ pub(super) fn beta(e: &EndPlate, a: &PlaneActions) -> f64 {
     match (own, other) {
         (_, 0.0) => 1.0,
         (0.0, _) => 2.0,
-        _ => (1.0 - other / own).abs().min(2.0),
+        // equal moments balance, whatever unit each was given in
+        _ => ((1.0 - other / own).abs().min(2.0) * STEPS).round() / STEPS,
     }
 }
 
