@@ -10,7 +10,7 @@ use crate::assembly::EndPlate;
 use crate::checks::check::{Check, Status, Topic, Unit, largest, number as n, within};
 use crate::checks::component_method::Assessment;
 use crate::checks::eurocode::welds::{
-    LineForce, across_and_along, directional, full_strength_throat,
+    LineForce, across_and_along, directional, full_strength_throat, least_size,
 };
 use crate::checks::worked::Worked;
 
