@@ -76,8 +76,8 @@ struct Schedule {
     first: Option<Program>,
 }
 
-/// Both programs after their solves; `None`: not requested. Neither of two that were requested: they
-/// would take longer than [`PassOptions::both_within`].
+/// Both programs after their solves; `None`: not requested. Neither of two that were requested:
+/// they would take longer than [`PassOptions::both_within`].
 pub(crate) type Both<K, S> = (Option<Finished<K>>, Option<Finished<S>>);
 
 /// Assembles and runs the programs whose bounds the model requests: side by side where the memory

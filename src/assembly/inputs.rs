@@ -227,7 +227,8 @@ impl<'a> Inputs<'a> {
         out
     }
 
-    /// The national annex of the spec, as the catalogue names it; `None` for the recommended values.
+    /// The national annex of the spec, as the catalogue names it; `None` for the recommended
+    /// values.
     pub fn annex(&self) -> Option<&str> {
         self.factors.annex.as_deref()
     }

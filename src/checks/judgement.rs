@@ -6,63 +6,17 @@
 //! if the lower bound of limit analysis carries the load and every binding check of what limit
 //! analysis does not know holds: buckling, fracture, slenderness. Otherwise UNDECIDED.
 
+mod analysed;
+mod governing;
 mod reason;
+
+pub use analysed::Analysed;
+pub use governing::Governing;
 
 use super::check::{Check, Status, Topic};
 use super::end_plate::HandChecks;
 use super::verdict::{Route, Verdict};
-use crate::math::figures::{Rounding, utilisation};
 use serde::{Deserialize, Serialize};
-
-/// Result of the analyses of a load case.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Analysed {
-    /// Load case with a demand.
-    pub case: String,
-    /// Verdict by strict bounds of limit analysis: `None` where no limit analysis gave an answer,
-    /// undecided where it was asked and its bounds do not decide.
-    pub verdict: Verdict,
-    /// Bracket of demand over capacity.
-    pub utilisation: Option<[f64; 2]>,
-    /// Whether a lower bound that carries the load decides nothing, because no rule of rotation
-    /// capacity holds.
-    pub brittle: bool,
-    /// Whether no rule of rotation capacity holds, so that no lower bound can give OK.
-    pub no_rule: bool,
-    /// What its analyses did not supply, as text: `limit analysis gave no lower bound (time
-    /// limit)`.
-    pub missing: Option<String>,
-}
-
-impl Analysed {
-    /// A case that no analysis brackets.
-    pub fn not(case: impl Into<String>) -> Self {
-        Self {
-            case: case.into(),
-            verdict: Verdict::None,
-            utilisation: None,
-            brittle: false,
-            no_rule: false,
-            missing: None,
-        }
-    }
-}
-
-/// Check or bound that decides a verdict.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Governing {
-    /// The load case; absent for a check that needs no load.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub case: Option<String>,
-    /// Check and place, in words.
-    pub what: String,
-    /// Clause, or `limit analysis`.
-    pub clause: String,
-    /// Demand over resistance, lower and upper bound; both equal for a hand check, absent where
-    /// there is no number.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub utilisation: Option<[f64; 2]>,
-}
 
 /// The verdict on a load case, or on all of them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -214,23 +168,6 @@ fn governing_check(binding: &[&Check], by_code: Verdict) -> Option<Governing> {
         clause: c.clause.clone(),
         utilisation: c.utilisation.map(|u| [u, u]),
     })
-}
-
-impl Governing {
-    /// The governing check with its utilisation and clause.
-    pub fn words(&self) -> String {
-        let used = match self.utilisation {
-            Some([l, u]) if l == u => {
-                format!(", utilisation {}", utilisation(u, Rounding::Nearest))
-            }
-            Some([l, u]) => {
-                let (l, u) = (utilisation(l, Rounding::Down), utilisation(u, Rounding::Up));
-                format!(", utilisation {l} … {u}")
-            }
-            None => String::new(),
-        };
-        format!("{}{used} ({})", self.what, self.clause)
-    }
 }
 
 impl Judgement {

@@ -161,9 +161,9 @@ fn note_traits(model: &AnalysisModel, analyses: &mut Analyses) {
 }
 
 /// The warning about a joint whose bolts may break before its rows yield.
-const NO_ROTATION: &str = "no rule of rotation capacity holds: the lower bound decides nothing, and \
-                           plastic global analysis may not rely on the rotation of the joint (EN \
-                           1993-1-8:2005 6.4)";
+const NO_ROTATION: &str = "no rule of rotation capacity holds: the lower bound decides nothing, \
+                           and plastic global analysis may not rely on the rotation of the joint \
+                           (EN 1993-1-8:2005 6.4)";
 
 /// Adds to an entry: a warning if a program did not fit into the memory, the utilisation, and the
 /// demand of its load case.

@@ -229,8 +229,8 @@ fn a_default_is_within_its_limits_or_names_its_cause() {
         assert_ne!(Answer::to(&text).code, 2, "{more}");
     }
     // a template whose default can leave its range
-    let mine = "extends: beam_to_column_end_plate\nname: mine\ntitle: Mine\nparameters:\n  - {name: \
-                column_below, default: column_above}\n  - base\n";
+    let mine = "extends: beam_to_column_end_plate\nname: mine\ntitle: Mine\nparameters:\n  - {\
+                name: column_below, default: column_above}\n  - base\n";
     let spec = COLUMN
         .replace("beam_to_column_end_plate", "mine.yaml")
         .replace("[-165, 230]", "[-230, 165]")

@@ -146,9 +146,9 @@ fn without_a_mesh_the_checks_keep_their_verdict() {
         (run.status.code(), result["judgement"].clone(), said)
     };
     let splice = Answer::input("06-run-worse-than-check.yaml").replace("3 min", "2 s");
-    let stub = "template: t_stub\nmembers: {tee: {profile: IPE300, steel: S235}}\nbolts: {size: M16, \
-                grade: \"8.8\", gauge: 100, rows: [0]}\nloads: [{name: U, end: top, at: bolt_plane, \
-                N: 20 kN}]\nanalysis: {kind: limit, time_limit: 2 s}\n";
+    let stub = "template: t_stub\nmembers: {tee: {profile: IPE300, steel: S235}}\nbolts: {size: \
+                M16, grade: \"8.8\", gauge: 100, rows: [0]}\nloads: [{name: U, end: top, at: \
+                bolt_plane, N: 20 kN}]\nanalysis: {kind: limit, time_limit: 2 s}\n";
     let bench = Bench::new().file("splice.yaml", splice).file("stub.yaml", stub);
     // one mesher does not even give its version, the other gives it and makes no mesh
     let mute = "[\"sh\", \"-c\", \"exec sleep 60\"]";

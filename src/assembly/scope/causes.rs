@@ -4,8 +4,8 @@ use crate::assembly::template::{Parameter, Template};
 use crate::spec::expr::Expr;
 use std::collections::BTreeSet;
 
-/// The parameters that the spec gives (`given`) and that the default of `parameter` follows from, then those of its
-/// range, each once.
+/// The parameters that the spec gives (`given`) and that the default of `parameter` follows from,
+/// then those of its range, each once.
 pub(super) fn causes(
     template: &Template,
     parameter: &Parameter,

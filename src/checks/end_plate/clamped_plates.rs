@@ -2,6 +2,7 @@
 
 use crate::assembly::EndPlate;
 use crate::catalog::BoltSize;
+use crate::checks::ductility::Clamped;
 use crate::checks::eurocode::bolt_length::{self, least_length};
 
 /// Washers of a bolt: one under the head and one under the nut.
@@ -38,6 +39,13 @@ pub(super) fn clamped_plates(e: &EndPlate) -> Vec<ClampedPlate> {
         width: c.section.b,
     });
     [plate].into_iter().chain(flange).collect()
+}
+
+/// These plates with their bolts, as the rules of rotation capacity see them.
+pub(super) fn clamped(e: &EndPlate) -> impl Iterator<Item = (&'static str, Clamped)> {
+    let (d, fub) = (e.bolt.d, e.grade.fub);
+    let of = move |p: ClampedPlate| (p.name, Clamped { d, fub, thickness: p.thickness, fy: p.fy });
+    clamped_plates(e).into_iter().map(of)
 }
 
 /// Thickness of the part that the end plate is bolted to \[mm\].

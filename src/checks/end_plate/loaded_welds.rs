@@ -76,21 +76,31 @@ pub(super) fn under_load(e: &EndPlate, a: &PlaneActions) -> Vec<Check> {
     let forces = flange_forces(e, axial, my);
     if e.flange_throat > 0.0 {
         let subject = format!("{}, beam flange", a.end);
-        out.push(flange(e, &forces, &steel, subject.clone()));
+        out.push(flange(e, &forces, vy, &steel, subject.clone()));
     }
     if e.web_throat > 0.0 {
         let subject = format!("{}, beam web", a.end);
-        out.extend(web(e, &forces, [vy, vz], &steel, &subject));
+        out.extend(web(e, &forces, vz, &steel, &subject));
     }
     out
 }
 
-/// The weld of a flange; welds of full strength carry all that the flange can bring.
-fn flange(e: &EndPlate, forces: &FlangeForces, steel: &WeldedSteel, subject: String) -> Check {
+/// The weld of a flange, across it under moment and axial force, along it under half of Vy; welds
+/// of full strength carry all that the flange can bring.
+fn flange(
+    e: &EndPlate,
+    forces: &FlangeForces,
+    vy: f64,
+    steel: &WeldedSteel,
+    subject: String,
+) -> Check {
     let (a, length) = (e.flange_throat, weld_lengths::flange(e));
     // a weld without any effective length carries nothing
-    let demand = if length.value > 0.0 { forces.weld / length.value } else { f64::INFINITY };
-    let mut worked = either_method(LineForce { across: demand, along: 0.0 }, a, steel);
+    let line = |force: f64| if length.value > 0.0 { force / length.value } else { f64::INFINITY };
+    let along = if vy == 0.0 { 0.0 } else { line(0.5 * vy.abs()) };
+    let force = LineForce { across: line(forces.weld), along };
+    let demand = force.resultant();
+    let mut worked = either_method(force, a, steel);
     let full = full_strength_throat(e.beam.tf, e.beam_steel.fy, e.factors.gamma_m0, steel);
     if demand.is_finite() && !within(demand, worked.value) && within(full.value, a) {
         worked.title = FULL_STRENGTH;
@@ -98,8 +108,12 @@ fn flange(e: &EndPlate, forces: &FlangeForces, steel: &WeldedSteel, subject: Str
         worked.value = flange_strength(e) / length.value;
         worked.formula += &format!("; a = {} mm ≥ {}: F_Rd = b t_f f_y/γ_M0", n(a), full.formula);
     }
+    let together = match vy == 0.0 {
+        true => "F_w,Ed = F_Ed/l_eff".into(),
+        false => format!("F_w,Ed = √(F_Ed² + (Vy/2)²)/l_eff, Vy = {}", Unit::Force.show(vy.abs())),
+    };
     worked.formula = format!(
-        "{}; {}; F_w,Ed = F_Ed/l_eff = {}; {}",
+        "{}; {}; {together} = {}; {}",
         forces.formula,
         length.formula,
         Unit::ForcePerLength.show(demand),
@@ -113,13 +127,13 @@ fn flange(e: &EndPlate, forces: &FlangeForces, steel: &WeldedSteel, subject: Str
     )
 }
 
-/// The two welds of the web: the shear force along and across them, and across them what the
-/// flanges cannot take, elastically over their length. The web itself can bring no more than it
-/// yields with.
+/// The two welds of the web: Vz along them, and across them what the flanges cannot take,
+/// elastically over their length. Vy goes through the flanges. The web itself can bring no more
+/// than it yields with.
 fn web(
     e: &EndPlate,
     forces: &FlangeForces,
-    [vy, vz]: [f64; 2],
+    vz: f64,
     steel: &WeldedSteel,
     subject: &str,
 ) -> Option<Check> {
@@ -130,11 +144,7 @@ fn web(
     }
     let l = length.value;
     let rest = forces.axial / l + 6.0 * forces.moment / (l * l);
-    let line = |vy: f64, vz: f64, rest: f64| LineForce {
-        across: 0.5 * (rest + vy.abs() / l),
-        along: 0.5 * vz.abs() / l,
-    };
-    let whole = line(vy, vz, rest);
+    let whole = LineForce { across: 0.5 * rest, along: 0.5 * vz.abs() / l };
     let most = 0.5 * e.beam.tw * e.beam_steel.fy / e.factors.gamma_m0;
     let (capped, part) = web_yields(whole, most);
     let demand = capped.resultant();
@@ -157,7 +167,7 @@ fn web(
     }
     worked.formula = format!(
         "F_w,Ed = V/(2 l_eff) = {}/(2 · {}){terms}; {}; {}",
-        Unit::Force.show(vz.hypot(vy)),
+        Unit::Force.show(vz.abs()),
         Unit::Length.show(l),
         length.formula,
         worked.formula

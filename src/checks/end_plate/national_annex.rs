@@ -1,6 +1,6 @@
 //! What a national annex changes beside the partial factors, and a list of what is not covered.
 
-use super::rotation_rules::clamped;
+use super::clamped_plates::clamped;
 use crate::assembly::EndPlate;
 use crate::checks::check::{Check, Status, Topic, number as n};
 use crate::checks::ductility::plastic_distribution;

@@ -1,9 +1,10 @@
 //! Rotation capacity of a joint: whether its rows may reach their plastic forces side by side, as
 //! limit analysis assumes.
 
+use super::clamped_plates::clamped;
 use super::national_annex;
 use super::sense::Sense;
-use crate::assembly::{ColumnSide, EndPlate};
+use crate::assembly::EndPlate;
 use crate::checks::check::{Check, Status, Unit, within};
 use crate::checks::component_method::equilibrium::SMALL_AXIAL;
 use crate::checks::ductility::{Clamped, plastic_distribution, rotation_capacity};
@@ -32,8 +33,9 @@ struct PartRules {
 }
 
 /// The rules of rotation capacity for end plate and column flange: one that holds makes the joint
-/// ductile. That of the UK annex applies with this annex alone. Those of 6.4.2 apply to S235, S275 and S355, to axial forces up to 5 % of N_pl,Rd
-/// (6.4.2(1)) and to a part whose bending limits a row (6.4.2(2)).
+/// ductile. That of the UK annex applies with this annex alone. Those of 6.4.2 apply to S235, S275
+/// and S355, to axial forces up to 5 % of N_pl,Rd (6.4.2(1)) and to a part whose bending limits a
+/// row (6.4.2(2)).
 pub(super) struct RotationRules {
     parts: Vec<PartRules>,
     /// Reason why 6.4.2 does not cover the joint; `None` where it does.
@@ -93,8 +95,8 @@ impl RotationRules {
         self.parts.iter().flat_map(rules).collect()
     }
 
-    /// Reason why the lower bound of a limit analysis decides nothing, with the numbers of the rules
-    /// that do not hold.
+    /// Reason why the lower bound of a limit analysis decides nothing, with the numbers of the
+    /// rules that do not hold.
     pub fn brittle(&self, limits: &[SenseLimits]) -> String {
         let rules = self.checks(limits);
         let each: Vec<String> =
@@ -108,16 +110,6 @@ impl RotationRules {
             each.join("; ")
         )
     }
-}
-
-/// End plate and column flange with their bolts.
-pub(super) fn clamped(e: &EndPlate) -> impl Iterator<Item = (&'static str, Clamped)> {
-    let (d, fub) = (e.bolt.d, e.grade.fub);
-    let plate = ("end plate", Clamped { d, fub, thickness: e.thickness, fy: e.plate_steel.fy });
-    let flange = move |c: &ColumnSide| {
-        ("column flange", Clamped { d, fub, thickness: c.section.tf, fy: c.steel.fy })
-    };
-    [plate].into_iter().chain(e.column.as_ref().map(flange))
 }
 
 /// Reason why 6.4.2 does not cover the joint: its steels or its axial force.

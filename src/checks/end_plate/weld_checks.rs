@@ -126,8 +126,8 @@ fn web_welds(
 /// length.
 pub(super) fn tension_zone(loaded: &LoadedEnd<'_>) -> Option<Check> {
     let (e, assessment) = (loaded.end.e, &loaded.end.assessment);
-    let [_, vy, vz] = loaded.end.a.at(1.0)[0];
-    let (stretch, mut worked) = web_welds(e, assessment, |r| loaded.row_force(r), vy.hypot(vz))?;
+    let vz = loaded.end.a.at(1.0)[0][2];
+    let (stretch, mut worked) = web_welds(e, assessment, |r| loaded.row_force(r), vz.abs())?;
     worked.title = "web weld beside the rows in tension, directional method";
     let place = loaded.place(&format!("beam web, {}", loaded.rows(stretch.first, stretch.last)));
     Some(worked.utilised(Topic::Welds, place, Status::Failed))

@@ -1,6 +1,7 @@
 //! The reason of a verdict, in a sentence.
 
-use super::{Analysed, Governing};
+use super::analysed::Analysed;
+use super::governing::Governing;
 use crate::checks::verdict::{Route, Verdict};
 
 /// What would supply a missing lower bound.

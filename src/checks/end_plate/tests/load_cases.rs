@@ -30,7 +30,8 @@ fn clause_5_3_8_beta_of_two_beams() {
         (100.0, -100.0, [2.0, 2.0]),
         (100.0, 40.0, [0.6, 1.5]),
         (100.0, 0.0, [1.0, 2.0]),
-        (100.0, -300.0, [2.0, 4.0 / 3.0]),
+        // β has nine decimals, so that it does not hang on the unit of the moments
+        (100.0, -300.0, [2.0, 1.333_333_333]),
     ];
     for (right, left, want) in cases {
         let load = |end: &str, my: f64| {
