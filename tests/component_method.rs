@@ -114,6 +114,7 @@ fn random_joint(n: &mut Numbers, profiles: &[&IProfile]) -> EndPlateJoint {
         young: 210_000.0,
         gamma_m0: n.of(&[1.0, 1.1]),
         gamma_m1: n.of(&[1.0, 1.1]),
+        triangular: false,
     }
 }
 

@@ -245,5 +245,5 @@ fn noise_of_a_millionth_changes_no_verdict() {
     }
     println!("{joints} joints, OK, NOT OK, UNDECIDED: {seen:?}");
     assert_eq!(joints, 200);
-    assert!(seen[0] > 30 && seen[1] > 30, "{seen:?}");
+    assert!(seen[0] > 20 && seen[1] > 30, "{seen:?}");
 }
