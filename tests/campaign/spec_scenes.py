@@ -213,7 +213,9 @@ def to_column(r, catalogue, spec, template):
     levels = beam["tf"]
     if r.random() < 0.6:
         given["column_stiffeners"] = r.random() < 0.7
-    if given.get("column_stiffeners", True) and r.random() < 0.4:
+    # most scenes have stiffeners, which no template adds by itself
+    given.setdefault("column_stiffeners", True)
+    if given["column_stiffeners"] and r.random() < 0.4:
         given["column_stiffener_thickness"] = mm(r.uniform(max(3, beam["tf"]), beam["tf"] + 10))
         levels = given["column_stiffener_thickness"]
     end_plate(r, spec, beam, bolt, levels)
@@ -234,7 +236,7 @@ def extras(r, spec, given, beam, column, bolt, gauges):
     if gauges[0] + far < gauges[1] and r.random() < 0.4:
         spec["bolts"]["gauge"] = mm(r.uniform(gauges[0], gauges[1] - far))
         given["outer_gauge"] = mm(r.uniform(spec["bolts"]["gauge"] + far, gauges[1]))
-    if given.get("column_stiffeners", True) and r.random() < 0.3:
+    if given["column_stiffeners"] and r.random() < 0.3:
         given["stiffener_weld"] = r.choice([3, 5, 6])
     if r.random() < 0.2:
         given["doubler"] = True
