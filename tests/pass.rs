@@ -43,6 +43,7 @@ fn with_events(run: impl FnOnce(&Progress) -> EnergyPass) -> (EnergyPass, Vec<St
                 format!("forecast {unknowns} {}", forecast.is_some())
             }
             Event::Waits { needed, room } => format!("waits {needed} {}", room.bytes),
+            Event::Later { .. } => "later".into(),
             Event::Refused(r) => format!("refused {} {}", r.needed, r.room.bytes),
             Event::Solve { forecast } => format!("solve {}", forecast.is_some()),
             Event::Iteration(_) => return,
