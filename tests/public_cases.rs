@@ -13,6 +13,8 @@ mod column_section;
 mod joint_verdict;
 #[path = "public_cases/moment_and_axial.rs"]
 mod moment_and_axial;
+#[path = "common/numbers.rs"]
+mod numbers;
 #[path = "public_cases/random_joints.rs"]
 mod random_joints;
 #[path = "public_cases/shear_across.rs"]

@@ -229,8 +229,7 @@ fn random_demands_are_ok_only_where_every_check_holds_and_grow_worse_with_the_lo
             assert!(rank(j.verdict) >= before, "{:?} after {before}: {}", j.verdict, place());
             // there is no number if the resistance is 0 or the code gives none
             let of = |c: &Check| c.utilisation.unwrap_or(f64::INFINITY);
-            // a fillet weld that fails by one method is held against the next one (4.5.3.1, 6.2.3(4)),
-            // which may use it less
+            // a fillet weld that fails by one method may be used less by the next one (4.5.3.1)
             let weld = |c: &&Check| c.title.starts_with("fillet weld");
             let loaded = binding().filter(|c| c.case.is_some() && !weld(c));
             let used = loaded.map(of).fold(0.0, f64::max);

@@ -37,10 +37,10 @@ pub fn run(
     if let Some(pass) = proof::without_programs(model, &options.solve.patterns)? {
         return Ok(pass);
     }
-    if options.both_within > 0.0 || model.bounds != Bounds::Both {
-        if let Some(pass) = programs(model, options, progress)? {
-            return Ok(pass);
-        }
+    if (options.both_within > 0.0 || model.bounds != Bounds::Both)
+        && let Some(pass) = programs(model, options, progress)?
+    {
+        return Ok(pass);
     }
     let lower = AnalysisModel { bounds: Bounds::Static, coulomb_estimate: false, ..model.clone() };
     let answer_from = options.answer_from.or(Some(LOAD));

@@ -50,22 +50,16 @@ pub enum AssemblyError {
         range: String,
     },
     /// A default outside its range, because of a value that the spec gives.
-    #[error("`{name}` is {value} by its default `{default}`; allowed: {range}{because}")]
+    #[error("{problem}")]
     DefaultOutOfRange {
         /// Path in the spec of a value that default or range follow from, or of the parameter.
         path: String,
         /// Path of the parameter itself.
         own: String,
-        /// Name of the parameter.
-        name: String,
-        /// Its value.
-        value: String,
-        /// The expression of its default.
-        default: String,
+        /// The value and its default, the range, and the given values that both follow from.
+        problem: String,
         /// Allowed range.
         range: String,
-        /// The given values that default and range follow from, in words.
-        because: String,
     },
     /// A name that the catalogue does not contain, or a value that it cannot give.
     #[error("{cause}")]

@@ -369,16 +369,11 @@ impl Scope {
                         false => format!(" ({})", words.join(", ")),
                     };
                     let (own, path) = (path.clone(), causes.first().map_or(path, |c| path_of(c)));
-                    let default = default.text();
-                    AssemblyError::DefaultOutOfRange {
-                        path,
-                        own,
-                        name,
-                        value,
-                        default,
-                        range,
-                        because,
-                    }
+                    let problem = format!(
+                        "`{name}` is {value} by its default `{}`; allowed: {range}{because}",
+                        default.text()
+                    );
+                    AssemblyError::DefaultOutOfRange { path, own, problem, range }
                 }
                 _ => AssemblyError::OutOfRange { path, name, value, range },
             });

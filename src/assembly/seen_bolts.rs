@@ -68,7 +68,7 @@ pub(super) fn check(
     let beside = |bolts: &[&Meshed<'_>]| {
         bolts.iter().all(|b| end_plates.iter().any(|(p, _)| b.through.contains(p)))
     };
-    for (plate, bolts) in others.iter().filter(|(_, bolts)| !beside(bolts)) {
+    if let Some((plate, bolts)) = others.iter().find(|(_, bolts)| !beside(bolts)) {
         let faults = faults_of(bolts);
         let rows: Vec<String> = seen.rows.iter().map(f64::to_string).collect();
         let columns: Vec<String> = seen.columns().iter().map(f64::to_string).collect();
@@ -79,7 +79,7 @@ pub(super) fn check(
             rows.join(", "),
             columns.join(", "),
             bolts.len(),
-            faults[0]
+            faults.first().map_or("", String::as_str)
         );
         let help = "write `rows` and `gauge` of `hand_checks` so that rows × 2 columns are the \
                     bolts of the template; a plate with more than two columns has no hand checks \

@@ -62,7 +62,6 @@ fn from_variable(variable: &'static str) -> Result<Option<Vec<OsString>>, Mesher
 }
 
 /// The command of a variable's value: a file, whose path may contain blanks, or a list of words.
-
 fn parse_command(variable: &'static str, value: &str) -> Result<Vec<OsString>, MesherError> {
     let bad = || MesherError::BadVariable { variable, value: value.to_string() };
     if Path::new(value).is_file() {

@@ -129,7 +129,7 @@ fn the_result_holds_what_the_contract_promises() {
         "## Answer",
         "gap **",
         "The load of the whole structure is 16.02 kN. Its displacement",
-        " kN/mm.",
+        " mm.",
         "Peak contact pressure",
         "## Input",
         MODEL,

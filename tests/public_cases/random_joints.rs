@@ -1,8 +1,6 @@
 //! Random joints: every result is a number or a named fault, and rounding changes no verdict.
 
-#[path = "../common/numbers.rs"]
-mod numbers;
-
+use crate::numbers::Numbers;
 use bracket::assembly;
 use bracket::catalog::{Catalog, IProfile};
 use bracket::checks::verdict::Verdict;
@@ -11,7 +9,6 @@ use bracket::driver::demands::demands;
 use bracket::result::result_file::ResultFile;
 use bracket::spec::connection::ConnectionSpec;
 use bracket::spec::yaml;
-use numbers::Numbers;
 use std::path::Path;
 
 /// Joints whose numbers are tried: all in an optimised build, which the tests of a release have.

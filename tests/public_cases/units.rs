@@ -1,15 +1,12 @@
 //! The unit of an input is no property of the joint: specs with all lengths, forces and moments
 //! rewritten in other units give the same verdict and numbers.
 
-#[path = "../common/numbers.rs"]
-mod numbers;
-
+use crate::numbers::Numbers;
 use bracket::assembly;
 use bracket::catalog::Catalog;
 use bracket::checks::{Analysed, Check, HandChecks, hand_checks, judge};
 use bracket::spec::connection::ConnectionSpec;
 use bracket::spec::yaml;
-use numbers::Numbers;
 use std::path::Path;
 
 /// Names of units with their factors to mm, N and N mm.
