@@ -249,7 +249,7 @@ fn forgeries_of_what_the_spec_gives(bench: &Bench, result: &Value) {
         ("/checks/0/utilisation", json!(0.1), "checks[0].utilisation"),
         ("/checks/3/status", json!("information"), "checks[3].status"),
         ("/checks", json!([]), "checks is"),
-        ("/cases", json!([]), "verdict is"),
+        ("/cases", json!([]), "`cases` lacks ULS1"),
         ("/asked", json!([]), "asked"),
     ] {
         let mut forged = result.clone();

@@ -106,7 +106,7 @@ const WRONG: [Wrong; 44] = [
     ),
     (
         "AXEStable: t.csv",
-        "plate.thickness;loads.ULS1.My\n10;43,2 kN m\n",
+        "plate.thickness,loads.ULS1.My\n10,\"43,2 kN m\"\n",
         ["sweep/table", "t.csv:2", "`43.2 kN m`", "correct the cell"],
     ),
     (
