@@ -21,7 +21,7 @@ REST_MIB = 150
 
 
 def fits(case, outcome, result, what):
-    """The exit code is that of the verdict, or of the certificates where nothing is demanded."""
+    """The exit code is that of the verdict, or of the certificates where nothing is demanded. A proved verdict needs no bound."""
     verdict = result["verdict"]
     codes = {VERDICT[verdict]} if verdict in VERDICT else {0}
     cases = result.get("cases", [])
@@ -29,7 +29,7 @@ def fits(case, outcome, result, what):
         not c.get("certificate", {}).get("strict") or "lower" not in c or "upper" not in c
         for c in cases
     )
-    if incomplete:
+    if incomplete and verdict != "ok":
         codes = codes | {3} if verdict in ("not_ok",) else {3}
     if outcome.code not in codes:
         words = f"verdict {verdict}, incomplete {incomplete}"
