@@ -94,7 +94,10 @@ fn as_checked(text: &str, seconds: f64, started: &str) -> Answer {
     for c in cases.iter().filter(bare) {
         let name = c["name"].as_str().expect("a name");
         assert!(
-            warnings(&answer).contains(&format!("without any bound: {name}")),
+            warnings(&answer)
+                .split("without any bound: ")
+                .nth(1)
+                .is_some_and(|listed| listed.contains(name)),
             "{}",
             answer.said
         );
