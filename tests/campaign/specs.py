@@ -21,7 +21,10 @@ REST_MIB = 150
 
 
 def fits(case, outcome, result, what):
-    """The exit code is that of the verdict, or of the certificates where nothing is demanded. A proved verdict needs no bound."""
+    """The exit code is that of the verdict, or of the certificates where nothing is demanded.
+
+    A joint that is OK by code needs no bound.
+    """
     verdict = result["verdict"]
     codes = {VERDICT[verdict]} if verdict in VERDICT else {0}
     cases = result.get("cases", [])

@@ -5,7 +5,7 @@ use super::bolt_rows::{from_top, pitches};
 use super::clamped_plates::{ClampedPlate, clamped_plates};
 use crate::assembly::{EndPlate, Way};
 use crate::checks::check::{Check, Topic, largest, number as n, within};
-use crate::checks::eurocode::bearing::{Along, Bearing, Hole};
+use crate::checks::eurocode::bearing::{Along, Hole};
 use crate::checks::eurocode::bolts::{long_joint, shear_resistance, tension_resistance};
 use crate::checks::eurocode::punching::{mean_diameter, punching_resistance};
 use crate::checks::worked::Worked;
@@ -18,18 +18,7 @@ pub(super) const DOWN: [f64; 2] = [0.0, -1.0];
 
 /// Bearing resistance of a plate at one bolt under a vertical force.
 fn bearing(e: &EndPlate, along: Along, plate: &ClampedPlate, hole: Hole) -> Worked {
-    let place = Bearing {
-        along,
-        e2: 0.5 * (plate.width - e.gauge),
-        p2: e.gauge,
-        hole,
-        d: e.bolt.d,
-        d0: e.hole,
-        thickness: plate.thickness,
-        fu: plate.fu,
-        fub: e.grade.fub,
-    };
-    place.resistance(e.factors.gamma_m2)
+    plate.bearing(e, along, [0.5 * (plate.width - e.gauge), e.gauge], hole)
 }
 
 /// Positions of a bolt of the row at `z` \[mm\] along a vertical force on the part that it presses,

@@ -8,7 +8,7 @@ use super::bolt_rows::from_top;
 use super::clamped_plates::ClampedPlate;
 use crate::assembly::{EndPlate, Way};
 use crate::checks::check::{Check, Topic, Unit, number as n};
-use crate::checks::eurocode::bearing::{Along, Bearing, Hole};
+use crate::checks::eurocode::bearing::{Along, Hole};
 use crate::checks::eurocode::block_tearing::Blocks;
 use crate::checks::worked::Worked;
 
@@ -91,20 +91,8 @@ pub(super) fn bearing_across(e: &EndPlate, plate: &ClampedPlate, hole: Hole, z: 
     let pitch = rows.windows(2).map(|w| w[0] - w[1]).fold(f64::INFINITY, f64::min);
     let columns = e.columns();
     let next = columns.windows(2).map(|w| w[1] - w[0]).fold(f64::INFINITY, f64::min);
-    let of = |along: Along| {
-        let place = Bearing {
-            along,
-            e2: end_distance(e, plate, z),
-            p2: pitch,
-            hole,
-            d: e.bolt.d,
-            d0: e.hole,
-            thickness: plate.thickness,
-            fu: plate.fu,
-            fub: e.grade.fub,
-        };
-        place.resistance(e.factors.gamma_m2)
-    };
+    let across = [end_distance(e, plate, z), pitch];
+    let of = |along: Along| plate.bearing(e, along, across, hole);
     let e1 = edge_distance(e, plate);
     let (end, inner) = (of(Along::End { e1 }), of(Along::Inner { p1: next }));
     let mut least = if inner.value < end.value { inner } else { end };

@@ -3,7 +3,9 @@
 use crate::assembly::EndPlate;
 use crate::catalog::BoltSize;
 use crate::checks::ductility::Clamped;
+use crate::checks::eurocode::bearing::{Along, Bearing, Hole};
 use crate::checks::eurocode::bolt_length::{self, least_length};
+use crate::checks::worked::Worked;
 
 /// Washers of a bolt: one under the head and one under the nut.
 pub(super) const WASHERS: u32 = 2;
@@ -19,6 +21,28 @@ pub(super) struct ClampedPlate {
     /// Ultimate strength \[MPa\].
     pub fu: f64,
     pub width: f64,
+}
+
+impl ClampedPlate {
+    /// Bearing resistance at a bolt \[N\]; `across` the force: the distance to the edge e2 and the
+    /// pitch p2 \[mm\].
+    ///
+    /// # Source
+    /// EN 1993-1-8:2005 Table 3.4.
+    pub fn bearing(&self, e: &EndPlate, along: Along, [e2, p2]: [f64; 2], hole: Hole) -> Worked {
+        let place = Bearing {
+            along,
+            e2,
+            p2,
+            hole,
+            d: e.bolt.d,
+            d0: e.hole,
+            thickness: self.thickness,
+            fu: self.fu,
+            fub: e.grade.fub,
+        };
+        place.resistance(e.factors.gamma_m2)
+    }
 }
 
 /// The end plate, and the column flange where there is a column. The other plate of a splice is the
