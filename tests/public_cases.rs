@@ -9,6 +9,8 @@ mod answer;
 mod bench;
 #[path = "public_cases/column_section.rs"]
 mod column_section;
+#[path = "public_cases/elastoplastic_joint.rs"]
+mod elastoplastic_joint;
 #[path = "public_cases/joint_verdict.rs"]
 mod joint_verdict;
 #[path = "public_cases/moment_and_axial.rs"]

@@ -7,6 +7,10 @@
 //! until there are none (`yield_set`). The static field is then admissible at every point and
 //! optimal among all fields of the mesh; the kinematic field is admissible in any case.
 //!
+//! With contact the first solve needs as many iterations as one with yield conditions, so that
+//! every tet that can yield gets them at once: one solve a program, three to four times faster than
+//! the search on a joint (benches/README.md), and its forecast is that of the whole analysis.
+//!
 //! Under Coulomb's law each kinematic solve is a fixed point as in elastic analysis, started from
 //! the shift of the one before; the static program then solves the last of these problems.
 
@@ -23,7 +27,7 @@ use crate::model::file::Bounds;
 pub use programs::GAP;
 use programs::{HenckyKinematic, HenckyStatic, Motion};
 use std::time::Instant;
-use yield_set::{KinematicSide, Side, StaticSide};
+use yield_set::{First, KinematicSide, Side, StaticSide};
 
 /// Runs both programs; under Coulomb's law one after the other, the static one with the shift of
 /// the kinematic one.
@@ -34,15 +38,16 @@ pub fn run(
 ) -> Result<EnergyPass, PassError> {
     let start = Instant::now();
     let slides = model.has_coulomb_friction();
-    let mut kinematic = Side::new(model, slides || model.bounds != Bounds::Static);
-    let mut statics = Side::new(model, !slides && model.bounds != Bounds::Kinematic);
+    let first = First::of(model);
+    let mut kinematic = Side::new(model, slides || model.bounds != Bounds::Static, first);
+    let mut statics = Side::new(model, !slides && model.bounds != Bounds::Kinematic, first);
     solve(model, options, progress, start, &mut kinematic, &mut statics)?;
     let Some(found) = kinematic.answer.as_ref().and_then(|(motion, _)| motion.shift.clone()) else {
         return join(model, kinematic, statics);
     };
     let shifted = found.shifted(model);
     if model.bounds != Bounds::Kinematic {
-        statics = Side::new(model, true);
+        statics = Side::new(model, true, first);
         solve(&shifted, options, progress, start, &mut kinematic, &mut statics)?;
     }
     let pass = join(&shifted, kinematic, statics)?;

@@ -6,8 +6,8 @@
 //! A_k, D the dissipation. The certificate of the mechanism found for one direction d of x has D
 //! and `P = d₁ P₁ + d₂ P₂`; divided by P, the half plane is `n · x ≤ λ_up` with `n · d = 1`.
 
-use crate::certify::limit_certificate::rigid_motions;
 use crate::certify::load_factor::UpperFactor;
+use crate::certify::rigid_fit::rigid_motions;
 use crate::certify::velocity_field::VelocityField;
 use crate::math::Sum;
 use crate::math::convex::HalfPlane;
@@ -34,7 +34,7 @@ pub fn half_plane(
     direction: [f64; 2],
 ) -> Option<HalfPlane> {
     let certificate = bound.certificate();
-    let motions = rigid_motions(model, velocity);
+    let motions = rigid_motions(model, &velocity.nodes.u);
     let fits = axes.iter().all(|a| a.len() == motions.len());
     if !(bound.is_strict() && fits) || model.has_dead_loads() || certificate.live_power <= 0.0 {
         return None;

@@ -142,9 +142,13 @@ pub fn utilisation(model: &AnalysisModel, field: &StressField) -> (f64, Option<u
 /// Allowance, as a utilisation, for the largest relative residual of a stress field's equilibrium:
 /// a field in exact equilibrium differs by no more.
 pub fn hidden_utilisation(model: &AnalysisModel, field: &StressField, residual: f64) -> f64 {
+    hidden_at(model, largest(field.points.iter().flatten().flatten().map(mandel::norm)), residual)
+}
+
+/// [`hidden_utilisation`] of a field whose largest stress is `stress` \[MPa\].
+pub fn hidden_at(model: &AnalysisModel, stress: f64, residual: f64) -> f64 {
     // unbalanced forces of one sign on every face add up over L/h faces and bend a section one
     // element deep with the lever arm L
-    let stress = largest(field.points.iter().flatten().flatten().map(mandel::norm));
     let strengths =
         model.yield_radii().into_iter().flatten().chain(model.welds.iter().map(|w| w.strength));
     let weakest = strengths.fold(f64::INFINITY, f64::min);
@@ -344,13 +348,6 @@ fn live_force(model: &AnalysisModel) -> f64 {
         force.add(model.mesh.volume(e) * vec3::norm(bodies[*body as usize]));
     }
     force.value()
-}
-
-/// Motions of the rigid faces under the velocities, about their reference points \[mm, rad per unit
-/// of time\].
-pub fn rigid_motions(model: &AnalysisModel, field: &VelocityField) -> Vec<[f64; 6]> {
-    let space = Tet10Space::new(&model.mesh);
-    model.rigid.iter().map(|r| fit_rigid(model, &space, &field.nodes.u, r).0).collect()
 }
 
 /// Smallest margin `g_N − μ‖g_T‖` of the Bernstein coefficients of all contact faces, each with its

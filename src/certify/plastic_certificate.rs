@@ -13,7 +13,9 @@ use crate::certify::dissipation::mean_norm;
 use crate::certify::fields::StressField;
 use crate::certify::limit_certificate::{hidden_utilisation, utilisation};
 use crate::certify::measures::largest;
-use crate::certify::plastic_field::{PlasticField, PlasticPiece, at_points, length, tensor};
+use crate::certify::plastic_field::{
+    PlasticField, PlasticPiece, at_points, length, mean, mean_equivalent, tensor,
+};
 use crate::elements::space::Tet10Space;
 use crate::elements::super_element::PointStress;
 use crate::elements::tet10;
@@ -161,6 +163,11 @@ pub struct BodyState {
     pub dissipation: f64,
     /// Largest utilisation by the stress of the lower bound.
     pub utilisation: f64,
+    /// Largest equivalent plastic strain, as the mean of a tet, in the field of the upper bound, a
+    /// fraction; an estimate.
+    pub strain: f64,
+    /// Centroid of that tet \[mm\].
+    pub strain_at: V3,
 }
 
 /// Plastic strain, relative to the elastic strain at yield, above which a point counts as yielded.
@@ -189,6 +196,10 @@ pub fn body_states(
         let Some(motion) = motion else { continue };
         let pieces = motion.pieces(model, &space, e);
         state.dissipation += dissipated(&pieces, Some(radius));
+        let strain = mean_equivalent(&pieces);
+        if strain > state.strain {
+            (state.strain, state.strain_at) = (strain, mean(model.mesh.corners(e)));
+        }
         let least = FLOWS * radius / materials[body].two_mu;
         for p in &pieces {
             let beyond = p.plastic.iter().filter(|d| length(d) > least).count();

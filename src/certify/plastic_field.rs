@@ -71,6 +71,16 @@ pub fn length(d: &Deviator) -> f64 {
     d.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
+/// Equivalent strain `√(2/3) ‖p̄‖` of the mean plastic strain of a tet, a fraction. Its pieces are
+/// equal parts of it.
+pub fn mean_equivalent(pieces: &[PlasticPiece]) -> f64 {
+    let mut mean = [0.0; 5];
+    for d in pieces.iter().flat_map(|p| &p.plastic) {
+        (0..5).for_each(|a| mean[a] += d[a] / (4 * pieces.len()) as f64);
+    }
+    (2.0f64 / 3.0).sqrt() * length(&mean)
+}
+
 impl PlasticField {
     /// A displacement without plastic strain on `tets` plain tets.
     pub fn elastic(nodes: DisplacementField, tets: usize) -> Self {

@@ -9,6 +9,13 @@ use crate::model::AnalysisModel;
 use crate::model::analysis::RigidFace;
 use crate::model::loads::face_nodes;
 
+/// Motions of the rigid faces under the displacements or velocities `u` of the nodes, about their
+/// reference points \[mm, rad\].
+pub fn rigid_motions(model: &AnalysisModel, u: &[V3]) -> Vec<[f64; 6]> {
+    let space = Tet10Space::new(&model.mesh);
+    model.rigid.iter().map(|r| fit_rigid(model, &space, u, r).0).collect()
+}
+
 /// The rigid motion nearest to the displacement of a rigid face, among its free motions, and the
 /// largest deviation in its components \[mm\].
 pub(crate) fn fit_rigid(

@@ -67,9 +67,7 @@ pub fn finish(
     // a request while the report was written counts too
     let interrupted = interrupt.asked();
     let status = if interrupted { ExitStatus::Undecided } else { exit_status(&result) };
-    for c in &result.cases {
-        log.line(answer(c));
-    }
+    result.cases.iter().flat_map(answer).for_each(|line| log.line(line));
     result.warnings.iter().for_each(|w| log.line(format!("warning: {w}")));
     let bare = result.cases.iter().all(|c| c.lower.is_none() && c.upper.is_none());
     if interrupted && bare && folder.target().exists() {

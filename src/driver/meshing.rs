@@ -36,12 +36,13 @@ impl Extent {
     }
 }
 
-/// The element sizes for these kinds of analysis, times `size_factor`. Limit analysis alone starts
-/// with few elements, most of them where plates turn about hinges, unless the spec gives one size
-/// for all parts.
+/// The element sizes for these kinds of analysis, times `size_factor`. An analysis with yield
+/// conditions starts with few elements, most of them where plates turn about hinges, unless the
+/// spec gives one size for all parts.
 pub fn sizes(asked: &MeshSpec, kinds: &[AnalysisKind], size_factor: f64) -> SizeRule {
     let even = SizeRule { factor: size_factor, ..SizeRule::default() };
-    if kinds == [AnalysisKind::Limit] && asked.size == MeshSize::Auto {
+    let elastic = kinds.is_empty() || kinds.contains(&AnalysisKind::Elastic);
+    if !elastic && asked.size == MeshSize::Auto {
         SizeRule { at_hinges: Some(HALF_THICKNESS), ..even }
     } else {
         even

@@ -4,6 +4,7 @@ use crate::analysis::cone_shift::FixedPointRun;
 use crate::analysis::preloaded_bolt::PreloadedBolt;
 use crate::checks::verdict::Verdict;
 use crate::checks::{HandChecks, JointStiffness};
+use crate::math::vec3;
 use crate::result::certificate::Certificate;
 use crate::result::demand::{Demand, EndAction};
 use crate::result::forces::StaticForces;
@@ -90,6 +91,10 @@ pub struct CaseResult {
     /// of the bodies.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub yielding: Vec<PartYield>,
+    /// Elastic, perfectly plastic analysis: motion of each rigid face that carries an action, in the
+    /// field of the upper bound; an estimate.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub face_motions: Vec<FaceMotion>,
     /// Limit analysis: the body whose stress is nearest to the yield surface at the lower bound;
     /// absent if a weld is nearer to its strength.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -177,6 +182,31 @@ pub struct PartYield {
     /// Plastic work of that field in all copies of the body \[N mm\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub dissipation: Option<f64>,
+    /// Largest equivalent plastic strain, as the mean of a tetrahedron, in that field, a fraction;
+    /// an estimate.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub plastic_strain: Option<f64>,
+    /// Centroid of that tetrahedron \[mm\]; absent without plastic strain.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub strain_at: Option<[f64; 3]>,
+}
+
+/// Motion of a rigid face.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct FaceMotion {
+    /// Name of the face.
+    pub face: String,
+    /// Displacement of its reference point \[mm\].
+    pub displacement: [f64; 3],
+    /// Rotation about the axes x, y, z \[rad\].
+    pub rotation: [f64; 3],
+}
+
+impl FaceMotion {
+    /// Size of the rotation \[rad\].
+    pub fn turn(&self) -> f64 {
+        vec3::norm(self.rotation)
+    }
 }
 
 /// Largest contact pressure \[MPa\], positive in compression. The values are estimates, because the

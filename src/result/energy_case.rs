@@ -5,6 +5,7 @@ use crate::analysis::memory::peak_memory_mib;
 use crate::analysis::program_outcome::ProgramOutcome;
 use crate::certify::faces::contact_faces;
 use crate::certify::plastic_certificate::body_states;
+use crate::certify::rigid_fit::rigid_motions;
 use crate::certify::welds::{Utilisation, demands};
 use crate::certify::{LowerBound, TOLERANCE};
 use crate::math::vec3;
@@ -13,6 +14,7 @@ use crate::model::analysis::{Traction, Weld};
 use crate::model::loads::face_corners;
 use crate::result::bounds::CaseBounds;
 use crate::result::case_result::CaseResult;
+use crate::result::case_result::FaceMotion;
 use crate::result::case_result::PartYield;
 use crate::result::case_result::PeakPressure;
 use crate::result::case_result::WeldUse;
@@ -252,7 +254,27 @@ fn yielding(model: &AnalysisModel, pass: &EnergyPass) -> Vec<PartYield> {
                 utilisation: stress.map(|_| s.utilisation),
                 yielded: motion.map(|_| s.flowing),
                 dissipation: motion.map(|_| s.dissipation * f64::from(model.symmetry)),
+                plastic_strain: motion.map(|_| s.strain),
+                strain_at: motion.and((s.strain > 0.0).then_some(s.strain_at)),
             })
+        })
+        .collect()
+}
+
+/// Motion of each rigid face that carries an action.
+fn face_motions(model: &AnalysisModel, pass: &EnergyPass) -> Vec<FaceMotion> {
+    let Some(motion) = &pass.plastic else { return Vec::new() };
+    let motions = rigid_motions(model, &motion.nodes.u);
+    let loaded = model
+        .rigid
+        .iter()
+        .zip(motions)
+        .filter(|(r, _)| r.action.iter().chain(&r.dead_action).any(|a| *a != 0.0));
+    loaded
+        .map(|(r, [x, y, z, a, b, c])| FaceMotion {
+            face: r.name.clone(),
+            displacement: [x, y, z],
+            rotation: [a, b, c],
         })
         .collect()
 }
@@ -332,6 +354,7 @@ pub fn case_result(
         }],
         dissipation: Vec::new(),
         yielding: if elastic { Vec::new() } else { yielding(model, pass) },
+        face_motions: if elastic { Vec::new() } else { face_motions(model, pass) },
         limiting_part: None,
         welds: weld_uses(
             model,

@@ -38,6 +38,7 @@ pub(crate) fn case() -> CaseResult {
         history: vec![],
         dissipation: vec![],
         yielding: vec![],
+        face_motions: vec![],
         limiting_part: None,
         welds: vec![],
         support_slip: vec![],

@@ -216,7 +216,10 @@ fn verify_confirms_what_is_true_and_refutes_the_rest() {
     // tets in another order do not belong to this mesh
     let (code, text) = after(&|b| edit_field(b, "kinematic", "tet", -1.0));
     assert_eq!(code, Some(2), "{text}");
-    let edits: [&dyn Fn(&mut Value); 4] = [
+    let edits: [&dyn Fn(&mut Value); 7] = [
+        &|c| c["yielding"][0]["plastic_strain"] = 0.9.into(),
+        &|c| c["yielding"][0]["strain_at"][2] = 50.0.into(),
+        &|c| c["face_motions"] = serde_json::json!([{"face": "Z1", "displacement": [0.0, 0.0, 0.0], "rotation": [0.0, 0.0, 0.0]}]),
         &|c| c["yielding"][0]["yielded"] = 0.9.into(),
         &|c| c["yielding"][0]["utilisation"] = 0.5.into(),
         &|c| c["load_displacement_at_least"] = 1.0.into(),

@@ -101,6 +101,7 @@ fn case(name: &str) -> CaseResult {
         }],
         dissipation: vec![],
         yielding: vec![],
+        face_motions: vec![],
         limiting_part: None,
         welds: vec![],
         support_slip: vec![],

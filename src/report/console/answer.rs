@@ -1,12 +1,50 @@
 //! The answer of a load case in a sentence, as the terminal shows it.
 
 use crate::report::figures::{self, Rounding};
+use crate::result::case_result::PartYield;
 use crate::result::result_file::CaseResult;
 use crate::result::result_file::Quantity;
 use crate::result::result_file::Upper;
 
-/// The answer in a sentence, in the user's units, followed by its warnings.
-pub fn answer(c: &CaseResult) -> String {
+/// Largest plastic strain with its place, yielded parts and motion of the loaded faces, all
+/// estimates from the field of the upper bound; `None` without that field.
+fn plastic_state(c: &CaseResult) -> Option<String> {
+    let flows = |p: &&PartYield| p.yielded.is_some_and(|y| y > 0.0);
+    let strain = |p: &&PartYield| p.plastic_strain.unwrap_or(0.0);
+    let mut yielded: Vec<&PartYield> = c.yielding.iter().filter(flows).collect();
+    yielded.sort_by(|a, b| strain(b).total_cmp(&strain(a)));
+    let mut parts = match yielded.first() {
+        Some(p) => {
+            let at = p.strain_at.map_or_else(String::new, |x| {
+                format!(" at x, y, z = {} mm", x.map(|x| format!("{x:.0}")).join(", "))
+            });
+            let names: Vec<&str> = yielded.iter().map(|p| &p.part[..]).collect();
+            vec![
+                format!(
+                    "largest plastic strain {} % in {}{at}",
+                    figures::fixed(100.0 * strain(p), 2, Rounding::Nearest),
+                    p.part
+                ),
+                format!("yielded: {}", names.join(", ")),
+            ]
+        }
+        None if c.yielding.iter().any(|p| p.yielded.is_some()) => vec!["no part yields".into()],
+        None => return None,
+    };
+    parts.extend(c.face_motions.iter().map(|m| {
+        let turn = figures::significant(1e3 * m.turn(), 3, Rounding::Nearest);
+        format!("{} turns by {turn} mrad", m.face)
+    }));
+    let bolts = c.static_forces.iter().flat_map(|s| &s.bolts);
+    if let Some(b) = bolts.max_by(|a, b| a.tension.total_cmp(&b.tension)) {
+        let force = figures::significant(1e-3 * b.tension, 3, Rounding::Nearest);
+        parts.push(format!("largest bolt tension {force} kN in {}", b.bolt));
+    }
+    Some(format!("{} (estimates)", parts.join("; ")))
+}
+
+/// The lines of the answer: the bounds in the user's units, the plastic state, the warnings.
+pub fn answer(c: &CaseResult) -> Vec<String> {
     let strict = c.certificate.is_some_and(|x| x.strict);
     let word = if strict { "certified" } else { "ESTIMATE, not certified" };
     let (what, unit, digits) = match c.quantity {
@@ -45,8 +83,10 @@ pub fn answer(c: &CaseResult) -> String {
     if let Some((l, u, unit)) = c.collapse_load() {
         text += &format!("; collapse load between {l} and {u} {unit}");
     }
-    for w in &c.warnings {
-        text += &format!("\n{name}: warning: {w}");
+    let mut lines = vec![text];
+    if let Some(state) = plastic_state(c) {
+        lines.push(format!("{name}: {state}"));
     }
-    text
+    lines.extend(c.warnings.iter().map(|w| format!("{name}: warning: {w}")));
+    lines
 }

@@ -1,6 +1,7 @@
 //! The section on yielding in an elastic, perfectly plastic analysis: yielded volume, lower bound
 //! of the load's displacement, and the places that needed yield conditions.
 
+use crate::math::vec3;
 use crate::report::figures::{Rounding, fixed, significant};
 use crate::report::markdown::markup::{inline, paragraph, strings, table};
 use crate::report::markdown::report_data::Table;
@@ -35,7 +36,9 @@ pub(crate) fn yielding(page: &mut String, case: &CaseResult) {
         page,
         "The utilisation is the largest `‖dev σ‖/(√(2/3) f_y)` of the lower bound's stress. The \
          yielded volume is that in which the upper bound's field has plastic strain (an \
-         estimate), the plastic work that of this field in the whole structure.",
+         estimate), the plastic work that of this field in the whole structure. The plastic \
+         strain is the equivalent one, its largest mean over an element of this field (an \
+         estimate that depends on the mesh).",
     );
     let dash = || "–".to_string();
     let mut parts: Vec<_> = case.yielding.iter().collect();
@@ -46,10 +49,31 @@ pub(crate) fn yielding(page: &mut String, case: &CaseResult) {
             p.utilisation.map_or_else(dash, |u| fixed(u, 3, Rounding::Up)),
             p.yielded.map_or_else(dash, |y| fixed(100.0 * y, 1, Rounding::Nearest)),
             p.dissipation.map_or_else(dash, |d| significant(d, 3, Rounding::Nearest)),
+            p.plastic_strain.map_or_else(dash, |s| fixed(100.0 * s, 2, Rounding::Nearest)),
+            p.strain_at.map_or_else(dash, |x| x.map(|x| format!("{x:.0}")).join(", ")),
         ]
     });
-    let columns = strings(["body", "utilisation", "yielded volume [%]", "plastic work [N mm]"]);
+    let columns = strings([
+        "body",
+        "utilisation",
+        "yielded volume [%]",
+        "plastic work [N mm]",
+        "largest plastic strain [%]",
+        "at x, y, z [mm]",
+    ]);
     table(page, &Table { columns, rows: rows.collect() });
+    for m in &case.face_motions {
+        paragraph(
+            page,
+            &inline(&format!(
+                "The loaded face {} turns by {} mrad and moves by {} mm (estimates; the bending \
+                 of the meshed members is part of both).",
+                m.face,
+                significant(1e3 * m.turn(), 3, Rounding::Nearest),
+                significant(vec3::norm(m.displacement), 3, Rounding::Nearest)
+            )),
+        );
+    }
     let Some(last) = case.history.last() else { return };
     let words = |name: &str, run: &Option<ProgramRun>| {
         let run = run.as_ref()?;
@@ -68,7 +92,12 @@ pub(crate) fn yielding(page: &mut String, case: &CaseResult) {
             .into_iter()
             .flatten()
             .collect();
-    if !of_both.is_empty() {
+    let all = [&last.static_, &last.kinematic]
+        .into_iter()
+        .flatten()
+        .all(|run| run.yielding_tets == Some(last.macro_tets));
+    // where every tet has one from the start, there is nothing to say about their places
+    if !of_both.is_empty() && !all {
         paragraph(
             page,
             &format!(

@@ -1,6 +1,7 @@
 //! Compares the values that a result derives from its bounds with recomputed ones.
 
 use super::history::near_gap;
+use crate::math::vec3;
 use crate::result::quantity::LoadSize;
 use crate::result::result_file::CaseResult;
 use crate::result::result_file::RawBracket;
@@ -50,6 +51,17 @@ pub fn derived_differences(claimed: &CaseResult, found: &CaseResult) -> Vec<Stri
                 && near(a.utilisation, b.utilisation)
                 && near(a.yielded, b.yielded)
                 && near(a.dissipation, b.dissipation)
+                && near(a.plastic_strain, b.plastic_strain)
+                && a.strain_at.is_some() == b.strain_at.is_some()
+                && (0..3).all(|i| near(a.strain_at.map(|x| x[i]), b.strain_at.map(|x| x[i])))
+        });
+    // a component that vanishes is rounding noise of the others
+    let close = |a: [f64; 3], b: [f64; 3]| vec3::norm(vec3::sub(a, b)) <= 1e-9 * vec3::norm(b);
+    let moves = claimed.face_motions.len() == found.face_motions.len()
+        && claimed.face_motions.iter().zip(&found.face_motions).all(|(a, b)| {
+            a.face == b.face
+                && close(a.displacement, b.displacement)
+                && close(a.rotation, b.rotation)
         });
     let size = |c: &CaseResult| c.load.map(LoadSize::value);
     let unit = |c: &CaseResult| c.load.map(LoadSize::unit);
@@ -80,6 +92,7 @@ pub fn derived_differences(claimed: &CaseResult, found: &CaseResult) -> Vec<Stri
             near(claimed.load_displacement_at_least, found.load_displacement_at_least),
         ),
         ("yielding", yielding),
+        ("face_motions", moves),
         ("limiting_part", claimed.limiting_part == found.limiting_part),
         ("certificate.strict", strict(claimed) == strict(found)),
         ("certificate", residuals(claimed, found)),

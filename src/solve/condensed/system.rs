@@ -145,7 +145,7 @@ impl CondensedSystem {
             factor_entries: entries,
             factor_flops: flops,
             bytes: bytes as u64,
-            seconds: Forecast::all_iterations(flops, entries, yielding, limit),
+            seconds: Forecast::all_iterations(flops, entries, [program.g.nrows(), yielding], limit),
         }
     }
 
