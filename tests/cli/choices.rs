@@ -73,7 +73,23 @@ fn the_least_of_those_that_hold() {
             let written: f64 = row["cost"].parse().expect("a cost");
             assert!((written / cost(best) - 1.0).abs() < 1e-12, "{row:?}");
             assert_eq!([&row["outcome"], &row["joints"], &row["analysed"]], ["ok", "12", "0"]);
+            // the chosen joint is a spec of its own with the values of its row and a report
+            let spec = bench.read(&format!("sweep/chosen/{group}.yaml"));
+            let thickness = best["plate.thickness"].as_str().expect("text");
+            assert!(spec.contains(&format!("plate.thickness = {thickness}")), "{spec}");
+            let report = format!("sweep/chosen/{group}/report.pdf");
+            let pdf = std::fs::read(bench.path().join(report)).expect("a report");
+            assert!(pdf.starts_with(b"%PDF"));
+            let again = ["check", &format!("sweep/chosen/{group}.yaml"), "--out", "again"];
+            expect(&bench, &again, 0);
+            let result: Value =
+                serde_json::from_str(&bench.read("again/result.json")).expect("JSON");
+            let governing = &result["judgement"]["governing"]["utilisation"][1];
+            assert_eq!(governing, &best["governing_utilisation"]);
+            let moment = if group == "A" { -25.0 } else { -45.0 };
+            assert_eq!([&best["N_kN"], &best["V_kN"], &best["M_kNm"]], [0.0, -28.8, moment]);
         }
+        assert!(!bench.path().join("sweep/chosen/C.yaml").exists());
         assert_eq!(found["C"]["outcome"], "not_ok");
         // a joint that does not hold is never called chosen, a dearer one is not needed
         for r in &all {
@@ -83,6 +99,20 @@ fn the_least_of_those_that_hold() {
         assert!(page.contains("Chosen joints") && page.contains("none holds"));
         assert!(bench.read("sweep/tables.md").contains("| C | none holds |"));
     }
+}
+
+/// The only chosen joint of a sweep is `chosen.yaml`; a second sweep without one removes it.
+#[test]
+fn the_only_chosen_joint() {
+    let sweep = "base: joint.yaml\naxes: {plate.thickness: [10, 12, 15]}\nfirst: checks\nchoose: \
+                 {least: mass}\n";
+    let bench = Bench::new().file("joint.yaml", SPLICE).file("sweep.yaml", sweep);
+    let (_, err) = expect(&bench, &["batch", "sweep.yaml"], 0);
+    assert!(err.contains("chosen: plate.thickness = "), "{err}");
+    let spec = bench.read("sweep/chosen.yaml");
+    assert!(spec.contains("title: plate.thickness = "), "{spec}");
+    assert!(bench.path().join("sweep/chosen/report.pdf").exists());
+    expect(&bench, &["check", "sweep/chosen.yaml", "--out", "again"], 0);
 }
 
 /// With limit analysis: from the cheapest upward until one holds; the dearer ones are not meshed.

@@ -1,6 +1,10 @@
 //! The processes of the cases with finite elements: side by side, failing, killed.
 
+use crate::SPLICE;
+use crate::bench::Bench;
 use crate::sweeps::{rows, t_stubs};
+use nix::sys::signal::{Signal, kill};
+use nix::unistd::Pid;
 use std::time::Duration;
 
 /// Two cases run at once where two are allowed.
@@ -27,6 +31,39 @@ fn cases_run_side_by_side() {
     run.kill().expect("killed");
     run.wait().expect("ended");
     assert_eq!(most, 2);
+}
+
+/// An interrupted sweep says by code what the checks found; what was to be analysed is open.
+#[cfg(target_os = "linux")]
+#[test]
+fn an_interrupted_sweep_has_its_checks() {
+    let sweep = "base: joint.yaml\naxes: {loads.ULS1.My: [-20 kN m, -200 kN m]}\nfirst: \
+                 checks\nthen: {limit: all}\n";
+    let bench = Bench::new().file("joint.yaml", SPLICE).file("sweep.yaml", sweep);
+    let mesher = bench.mesher("sleep 60");
+    let mut command = bench.command(&["batch", "sweep.yaml", "--jobs", "1", "--quiet"]);
+    let run = command.env("BRACKET_GMSH", &mesher).spawn().expect("starts");
+    let work = bench.path().join("sweep/work");
+    let analysing = || {
+        let owner = |e: std::fs::DirEntry| e.path().join("owner").exists();
+        std::fs::read_dir(&work).is_ok_and(|d| d.flatten().any(owner))
+    };
+    for _ in 0..800 {
+        if analysing() {
+            break;
+        }
+        std::thread::sleep(Duration::from_millis(50));
+    }
+    kill(Pid::from_raw(run.id().cast_signed()), Signal::SIGINT).expect("it runs");
+    let end = run.wait_with_output().expect("ended");
+    assert_eq!(end.status.code(), Some(3));
+    let rows = rows(&bench, "sweep");
+    let of = |key: &str| rows.iter().map(|r| r[key].clone()).collect::<Vec<_>>();
+    assert_eq!(of("outcome"), ["open"; 2]);
+    assert_eq!(of("by_code"), ["ok", "not_ok"]);
+    assert_eq!(of("by_analysis"), ["none"; 2]);
+    assert_eq!(of("M_kNm"), [-20.0, -200.0]);
+    assert!(rows.iter().all(|r| r["M_j_Rd_kNm"].as_f64().is_some_and(|m| m > 50.0)), "{rows:?}");
 }
 
 /// A mesher that hangs, crashes or fills the memory ends its case with a name and no other.
