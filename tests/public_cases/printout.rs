@@ -262,3 +262,27 @@ fn none_repeats(answer: &Answer) {
         assert!(repeats == 1 || number(&check["demand"]) == 0.0, "{check}");
     }
 }
+
+/// Case 07: an elastic analysis calls one number the initial stiffness, S_j,ini of 6.3.1, and no
+/// mark of Markdown is left on the page.
+#[test]
+fn one_number_is_the_initial_stiffness() {
+    let bench = Bench::new().file("joint.yaml", Answer::input("07-stiffness-text.yaml"));
+    let coarse = ["run", "joint.yaml", "--out", "out", "--size-factor", "3", "--max-passes", "1"];
+    let answer = Answer::from(bench, &coarse);
+    let stiffness = &answer.result["cases"][0]["joint_stiffness"];
+    let (lower, by_hand) = (number(&stiffness["lower"]), number(&stiffness["component_method"]));
+    assert!(lower > 0.0 && by_hand > 0.0, "{stiffness}");
+    let said: Vec<&str> = answer.report.split("initial stiffness S_j,ini").collect();
+    assert_eq!(said.len(), 2, "{}", answer.report);
+    // the method's value stands in the same paragraph, under the same name
+    assert!(said[1].lines().next().is_some_and(|l| l.contains("kN m/rad")), "{}", said[1]);
+    let page = std::fs::read_to_string(answer.bench.path().join("out/report.html")).expect("HTML");
+    // the script of the page has a power written so
+    let text: String = page
+        .split("<script")
+        .map(|s| s.split_once("</script>").map_or(s, |(_, rest)| rest))
+        .collect();
+    assert!(!text.contains("**"), "a mark of Markdown");
+    assert!(page.contains("initial stiffness"));
+}
