@@ -91,8 +91,8 @@ pub struct CaseResult {
     /// of the bodies.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub yielding: Vec<PartYield>,
-    /// Elastic, perfectly plastic analysis: motion of each rigid face that carries an action, in the
-    /// field of the upper bound; an estimate.
+    /// Elastic, perfectly plastic analysis: motion of each rigid face that carries an action, in
+    /// the field of the upper bound; an estimate.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub face_motions: Vec<FaceMotion>,
     /// Limit analysis: the body whose stress is nearest to the yield surface at the lower bound;

@@ -50,7 +50,8 @@ impl Forecast {
     }
 
     /// Time of all iterations \[s\], for `flops` per factorisation, `entries` of the factor and
-    /// so many rows of contact and of yield conditions; limit analysis corrects and refines directions more often.
+    /// so many rows of contact and of yield conditions; limit analysis corrects and refines
+    /// directions more often.
     pub(crate) fn all_iterations(
         flops: f64,
         entries: usize,

@@ -219,7 +219,11 @@ fn verify_confirms_what_is_true_and_refutes_the_rest() {
     let edits: [&dyn Fn(&mut Value); 7] = [
         &|c| c["yielding"][0]["plastic_strain"] = 0.9.into(),
         &|c| c["yielding"][0]["strain_at"][2] = 50.0.into(),
-        &|c| c["face_motions"] = serde_json::json!([{"face": "Z1", "displacement": [0.0, 0.0, 0.0], "rotation": [0.0, 0.0, 0.0]}]),
+        &|c| {
+            let still = [0.0; 3];
+            c["face_motions"] =
+                serde_json::json!([{"face": "Z1", "displacement": still, "rotation": still}]);
+        },
         &|c| c["yielding"][0]["yielded"] = 0.9.into(),
         &|c| c["yielding"][0]["utilisation"] = 0.5.into(),
         &|c| c["load_displacement_at_least"] = 1.0.into(),
