@@ -14,8 +14,9 @@ use crate::certify::fields::StressField;
 use crate::certify::limit_certificate::{hidden_utilisation, utilisation};
 use crate::certify::measures::largest;
 use crate::certify::plastic_field::{
-    PlasticField, PlasticPiece, at_points, length, mean, mean_equivalent, tensor,
+    PlasticField, PlasticPiece, at_points, length, mean_equivalent, tensor,
 };
+use crate::elements::geometry::centroid;
 use crate::elements::space::Tet10Space;
 use crate::elements::super_element::PointStress;
 use crate::elements::tet10;
@@ -198,7 +199,7 @@ pub fn body_states(
         state.dissipation += dissipated(&pieces, Some(radius));
         let strain = mean_equivalent(&pieces);
         if strain > state.strain {
-            (state.strain, state.strain_at) = (strain, mean(model.mesh.corners(e)));
+            (state.strain, state.strain_at) = (strain, centroid(&model.mesh.corners(e)));
         }
         let least = FLOWS * radius / materials[body].two_mu;
         for p in &pieces {

@@ -261,7 +261,7 @@ fn yielding(model: &AnalysisModel, pass: &EnergyPass) -> Vec<PartYield> {
         .collect()
 }
 
-/// Motion of each rigid face that carries an action.
+/// Motion of each rigid face that carries an action; none without plastic strain in the field.
 fn face_motions(model: &AnalysisModel, pass: &EnergyPass) -> Vec<FaceMotion> {
     let Some(motion) = &pass.plastic else { return Vec::new() };
     let motions = rigid_motions(model, &motion.nodes.u);
@@ -354,7 +354,7 @@ pub fn case_result(
         }],
         dissipation: Vec::new(),
         yielding: if elastic { Vec::new() } else { yielding(model, pass) },
-        face_motions: if elastic { Vec::new() } else { face_motions(model, pass) },
+        face_motions: face_motions(model, pass),
         limiting_part: None,
         welds: weld_uses(
             model,

@@ -101,7 +101,7 @@ fn the_least_of_those_that_hold() {
     }
 }
 
-/// The only chosen joint of a sweep is `chosen.yaml`; a second sweep without one removes it.
+/// The only chosen joint of a sweep is `chosen.yaml`.
 #[test]
 fn the_only_chosen_joint() {
     let sweep = "base: joint.yaml\naxes: {plate.thickness: [10, 12, 15]}\nfirst: checks\nchoose: \

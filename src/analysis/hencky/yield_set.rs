@@ -40,6 +40,12 @@ fn margin(hidden: f64) -> f64 {
     (CORRECTION * hidden).min(MOST_FIRST)
 }
 
+/// For each tet: its body has a yield strength.
+fn can_yield(model: &AnalysisModel) -> Vec<bool> {
+    let radii = model.yield_radii();
+    model.mesh.tet_body.iter().map(|body| radii[*body as usize].is_some()).collect()
+}
+
 /// One program from solve to solve.
 pub(super) struct Side<A> {
     /// Tets with a yield condition.
@@ -78,23 +84,17 @@ impl First {
 
 impl<A> Side<A> {
     pub(super) fn new(model: &AnalysisModel, requested: bool, first: First) -> Self {
-        let radii = model.yield_radii();
-        let yields = match first {
-            First::Nowhere => vec![false; model.mesh.tets.len()],
+        let (yields, needed) = match first {
+            First::Nowhere => (vec![false; model.mesh.tets.len()], 0.0),
             First::Everywhere => {
-                model.mesh.tet_body.iter().map(|body| radii[*body as usize].is_some()).collect()
-            }
-        };
-        let margin = match first {
-            First::Nowhere => 0.0,
-            First::Everywhere => {
-                margin(hidden_at(model, STRESS * largest(radii.into_iter().flatten()), ROUNDING))
+                let stress = STRESS * largest(model.yield_radii().into_iter().flatten());
+                (can_yield(model), margin(hidden_at(model, stress, ROUNDING)))
             }
         };
         Self {
-            rough: first == First::Nowhere,
             yields,
-            margin: margin.max(MARGIN[0]),
+            rough: first == First::Nowhere,
+            margin: needed.max(MARGIN[0]),
             outcome: None,
             answer: None,
             done: !requested,
@@ -141,9 +141,8 @@ impl<A> Side<A> {
             joins[a] |= used[b] >= AROUND;
             joins[b] |= used[a] >= AROUND;
         }
-        let radii = model.yield_radii();
-        for (e, yields) in self.yields.iter_mut().enumerate() {
-            *yields |= joins[e] && radii[model.mesh.tet_body[e] as usize].is_some();
+        for ((yields, joins), can) in self.yields.iter_mut().zip(joins).zip(can_yield(model)) {
+            *yields |= joins && can;
         }
     }
 
