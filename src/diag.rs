@@ -231,13 +231,33 @@ impl Diagnostics {
     }
 }
 
+/// Fewest letters of a name cut short that are looked for in the full names.
+const LEAST_PART: usize = 4;
+
 /// `, did you mean "x"?` for the closest word of `known`; empty if none is close.
 pub fn did_you_mean<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> String {
+    let known: Vec<&str> = known.into_iter().collect();
+    let lower = word.to_lowercase();
+    // a name cut short: the full ones
+    let whole = |k: &&&str| k.len() > word.len() && k.to_lowercase().contains(&lower);
+    let longer: Vec<String> = known.iter().filter(whole).map(|k| format!("`{k}`")).collect();
+    match &longer[..] {
+        _ if word.chars().count() < LEAST_PART => {}
+        [one] => return format!(", did you mean {one}?"),
+        [first @ .., last] if first.len() < 4 => {
+            return format!(", did you mean {} or {last}?", first.join(", "));
+        }
+        _ => {}
+    }
     known
         .into_iter()
         .map(|k| (strsim::damerau_levenshtein(&word.to_lowercase(), &k.to_lowercase()), k))
         .min()
-        .filter(|(d, k)| *d <= 1 + k.len().max(word.len()) / 4)
+        // of a short word something must stay
+        .filter(|(d, k)| {
+            *d <= 1 + k.len().max(word.len()) / 4
+                && *d < k.chars().count().max(word.chars().count())
+        })
         .map(|(_, k)| format!(", did you mean `{k}`?"))
         .unwrap_or_default()
 }

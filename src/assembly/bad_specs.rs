@@ -97,7 +97,7 @@ const CASES: &[Case] = &[
         new: "grade: \"8.8\", preload: 123 kN,",
         code: "spec/range",
         path: "bolts.preload",
-        words: &["`bolts.preload` is 123000 N", "up to 122.9 kN"],
+        words: &["`bolts.preload` is 123 kN", "up to 122.9 kN"],
     },
     Case {
         old: "grade: \"8.8\",",

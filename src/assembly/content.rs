@@ -154,6 +154,8 @@ pub struct NotChecked {
     pub label: String,
     /// Reason, in a sentence.
     pub why: String,
+    /// What would decide about them; empty where nothing binds.
+    pub step: &'static str,
     /// True if a verdict by code cannot be OK for this reason.
     pub binds: bool,
 }

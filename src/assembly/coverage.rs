@@ -161,6 +161,7 @@ fn absent(content: &Content, e: &EndPlate, frames: &[Frame]) -> Vec<NotChecked> 
             "`hand_checks` of the template counts it ({key}), and the parts of the template have \
              none at that place with these sizes"
         ),
+        step: "a template whose parts and `hand_checks` agree",
         binds: true,
     })
     .collect()
@@ -229,6 +230,7 @@ impl Plies {
                      these pass other parts between them, or other thicknesses (for packings EN \
                      1993-1-8 3.6.1(12) reduces the shear resistance)"
                 ),
+                step: "bolts through these two alone, or a check of them by hand",
                 binds: true,
             });
         }
@@ -251,6 +253,7 @@ impl Plies {
                 why: "it lies under heads or nuts alone: its thickness is in the grip of the \
                       bolts, its strength is neglected, which is on the safe side"
                     .into(),
+                step: "",
                 binds: false,
             });
         }
@@ -300,6 +303,7 @@ fn others(content: &Content, outer: &[String]) -> Vec<NotChecked> {
                 parts: vec![part.to_owned()],
                 label: label.to_owned(),
                 why,
+                step: "a check of it by hand; the template can then state that with `no_check`",
                 binds,
             }),
         }
@@ -347,7 +351,9 @@ fn strange_welds(
         .collect();
     let why = "the checks know the welds of the beam's flanges and of its web to the end plate, \
                these have another place or another throat";
-    let one = NotChecked { parts: welds, label: "welds".into(), why: why.into(), binds: true };
+    let step = "a check of these welds by hand";
+    let (label, why) = ("welds".into(), why.into());
+    let one = NotChecked { parts: welds, label, why, step, binds: true };
     if one.parts.is_empty() { Vec::new() } else { vec![one] }
 }
 

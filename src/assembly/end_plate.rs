@@ -10,11 +10,12 @@ use super::factors::PartialFactors;
 use super::inputs::Inputs;
 use super::scope::Scope;
 use super::small_actions::SmallActions;
+use super::spec_checks::system_length;
 use super::strength::Strength;
 use super::template::{EndPlateEntry, Template};
 use crate::catalog::{BoltGrade, BoltSize, IProfile};
 use crate::spec::code::{FySource, PryingRule};
-use crate::spec::connection::{BoltCategory, ConnectionSpec, MemberSpec};
+use crate::spec::connection::{BoltCategory, ConnectionSpec};
 use crate::spec::expr::{Expr, ExprError};
 use crate::spec::loads::LoadSpec;
 use crate::spec::welds::WeldSpec;
@@ -58,10 +59,6 @@ pub struct ColumnSide {
     /// gives it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub moment: Option<f64>,
-    /// Largest longitudinal compressive stress at the root of the web, from N and M of the spec
-    /// \[MPa\]; `None` if the spec gives neither.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub longitudinal: Option<f64>,
     /// Reduction of the shear force of the web panel by the column's shear forces, (V_c1 − V_c2)/2
     /// \[N\].
     pub shear: f64,
@@ -76,6 +73,17 @@ impl ColumnSide {
     pub fn ends(&self) -> ColumnEnds {
         ColumnEnds { above: self.above, below: self.below }
     }
+}
+
+/// A load that the checks leave out.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct UnseenLoad {
+    /// Its load case.
+    pub case: String,
+    /// The reason in one sentence.
+    pub why: String,
+    /// What would bring it into the checks.
+    pub step: String,
 }
 
 /// A bolted end plate between a beam and the flange of a column, or between two beams with the same
@@ -139,9 +147,9 @@ pub struct EndPlate {
     pub category: Option<BoltCategory>,
     /// Friction coefficient of the contact surfaces.
     pub mu: f64,
-    /// Loads that the checks leave out: the load case, and the reason in one sentence.
+    /// Loads that the checks leave out.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub unseen: Vec<(String, String)>,
+    pub unseen: Vec<UnseenLoad>,
     /// True if prying forces are assumed to develop whatever the length of the bolts.
     pub always_prying: bool,
     /// How the fillet welds are made.
@@ -183,47 +191,10 @@ impl EndPlate {
     }
 }
 
-/// Largest longitudinal compressive stress of a column at the root of its web \[MPa\]; `None` if
-/// the spec gives neither N nor M.
-///
-/// `σ = −N/A + |M| (h/2 − t_f − r)/I_y`, not below 0.
-fn longitudinal(
-    role: &str,
-    m: &MemberSpec,
-    section: &IProfile,
-    steel: &Strength,
-) -> Result<Option<f64>, AssemblyError> {
-    if m.n_ed.is_none() && m.m_ed.is_none() {
-        return Ok(None);
-    }
-    let (axial, moment) = (m.n_ed.map_or(0.0, |n| n.0), m.m_ed.map_or(0.0, |m| m.0));
-    let root = 0.5 * section.h - section.tf - section.r;
-    // the tables give cm² and cm⁴
-    let stress =
-        (-axial / (1e2 * section.area) + moment.abs() * root / (1e4 * section.i_y)).max(0.0);
-    if limits::at_most(stress, steel.fy) {
-        return Ok(Some(stress));
-    }
-    let key = if m.n_ed.is_some() { "N_Ed" } else { "M_Ed" };
-    Err(AssemblyError::Value {
-        path: format!("members.{role}.{key}"),
-        problem: format!(
-            "the column is pressed with {stress:.0} MPa at the root of its web; its yield \
-             strength is {} MPa",
-            steel.fy
-        ),
-        help: "check the number and its unit, or take a larger column".into(),
-    })
-}
-
 /// Loads that the hand checks leave out: loads at member ends that `hand_checks` does not name, and
 /// loads on sections in a case with actions at member ends, unless the spec gives the forces of the
 /// column.
-fn unseen(
-    spec: &ConnectionSpec,
-    entry: &EndPlateEntry,
-    small: &SmallActions,
-) -> Vec<(String, String)> {
+fn unseen(spec: &ConnectionSpec, entry: &EndPlateEntry, small: &SmallActions) -> Vec<UnseenLoad> {
     let loads = || spec.loads.iter().filter(|l| !l.of_polygon && small.counts(l));
     let demanded = |case: &str| loads().any(|l| l.name == case && l.end.is_some());
     let given = entry
@@ -232,22 +203,29 @@ fn unseen(
         .and_then(|c| spec.members.get(c))
         .is_some_and(|m| m.n_ed.is_some() || m.m_ed.is_some());
     let why = |l: &LoadSpec| match (&l.end, &l.section) {
-        (Some(end), _) if !entry.ends.contains(end) => Some(format!(
-            "`{end}` is none of the ends that `hand_checks` of the template name: what acts there \
-             is not checked"
+        (Some(end), _) if !entry.ends.contains(end) => Some((
+            format!(
+                "`{end}` is none of the ends that `hand_checks` of the template name: what acts \
+                 there is not checked"
+            ),
+            "a template that names this end".into(),
         )),
         (None, Some(section)) if demanded(&l.name) && !given => {
-            let cure = entry
-                .column
-                .as_ref()
-                .map_or(String::new(), |c| format!("; give members.{c}.N_Ed and M_Ed"));
-            Some(format!(
-                "what acts on `{section}` beside the member ends is not in the checks{cure}"
-            ))
+            let step = match &entry.column {
+                Some(c) => format!("members.{c}.N_Ed and M_Ed in the spec"),
+                None => "a load at a member end in its place".into(),
+            };
+            let why =
+                format!("what acts on `{section}` beside the member ends is not in the checks");
+            Some((why, step))
         }
         _ => None,
     };
-    loads().filter_map(|l| Some((l.name.clone(), why(l)?))).collect()
+    let of = |l: &LoadSpec| {
+        let (why, step) = why(l)?;
+        Some(UnseenLoad { case: l.name.clone(), why, step })
+    };
+    loads().filter_map(of).collect()
 }
 
 /// The values of the template's `hand_checks`; `None` if it has none.
@@ -302,7 +280,8 @@ pub(super) fn end_plate(
     }
     let role = |r: &String| std::slice::from_ref(r).to_vec();
     let end_of_column = |key, e| or_none(key, e).map(|end| (end > 0.0).then_some(end));
-    let system_length = |role: &String| spec.members.get(role).and_then(|m| m.length).map(|l| l.0);
+    let (height, depth) =
+        ((top - bottom, "height of the end plate"), (beam.h, "depth of the beam"));
     let column = match &entry.column {
         None => None,
         Some(column) => {
@@ -320,8 +299,6 @@ pub(super) fn end_plate(
             let steel = inputs.strength(spec, &role(column), section.tf)?;
             let forces = spec.members.get(column);
             Some(ColumnSide {
-                longitudinal: forces
-                    .map_or(Ok(None), |m| longitudinal(column, m, &section, &steel))?,
                 axial: forces.and_then(|m| m.n_ed).map(|n| n.0),
                 moment: forces.and_then(|m| m.m_ed).map(|m| m.0),
                 shear: forces.and_then(|m| m.v_ed).map_or(0.0, |v| v.0),
@@ -338,7 +315,7 @@ pub(super) fn end_plate(
                 stiffener: or_none("stiffener", &entry.stiffener)?,
                 doubler: or_none("doubler", &entry.doubler)?,
                 beta,
-                system_length: system_length(column),
+                system_length: system_length(spec, column, height)?,
                 span: None,
             })
         }
@@ -367,7 +344,7 @@ pub(super) fn end_plate(
         flange_throat: or_none("flange_throat", &entry.flange_throat)?,
         web_throat: or_none("web_throat", &entry.web_throat)?,
         bending_length: or_none("bending_length", &entry.bending_length)?,
-        system_length: system_length(&entry.beam),
+        system_length: system_length(spec, &entry.beam, depth)?,
         actions,
         preload: inputs.preload,
         category: spec.bolts.as_ref().and_then(|b| b.category),

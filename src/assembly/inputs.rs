@@ -4,12 +4,12 @@ use super::assembly::PartMaterial;
 use super::error::{AssemblyError, known_names, unknown_in};
 use super::factors::{FactorsOfSpec, PartialFactors};
 use super::given::given;
-use super::scope::{Given, Resolved, Scope};
+use super::scope::{Given, Resolved, Scope, path_of};
 use super::spec_checks;
 use super::strength::Strength;
 use super::template::Template;
 use crate::catalog::{BoltGrade, BoltSize, Catalog, CatalogError, IProfile, Steel};
-use crate::diag::{AtLeastOne, did_you_mean};
+use crate::diag::{AtLeastOne, did_you_mean, number};
 use crate::spec::connection::{ConnectionSpec, PreloadSpec};
 use crate::spec::expr::Value;
 use crate::units::limits;
@@ -50,20 +50,31 @@ impl<'a> Inputs<'a> {
         let mut faults = Vec::new();
         let mut profiles = Vec::new();
         let mut steels = BTreeMap::new();
+        let mut wrong: Vec<&str> = Vec::new();
         for (role, member) in &spec.members {
             match catalog.profile(&member.profile) {
                 Ok(p) => profiles.push((role.clone(), p)),
-                Err(e) => faults.push(unlisted(format!("members.{role}.profile"), e)),
+                Err(_) if wrong.contains(&member.profile.as_str()) => {}
+                Err(e) => {
+                    wrong.push(&member.profile);
+                    faults.push(unlisted(format!("members.{role}.profile"), e));
+                }
             }
             match catalog.steel(&member.steel) {
                 Ok(s) => drop(steels.insert(role.clone(), (format!("members.{role}.steel"), s))),
-                Err(e) => faults.push(unlisted(format!("members.{role}.steel"), e)),
+                // a name that is wrong twice is reported once
+                Err(_) if wrong.contains(&member.steel.as_str()) => {}
+                Err(e) => {
+                    wrong.push(&member.steel);
+                    faults.push(unlisted(format!("members.{role}.steel"), e));
+                }
             }
         }
         spec_checks::members(spec, template, &mut faults);
         if let Some(name) = spec.plate.as_ref().and_then(|p| p.steel.as_ref()) {
             match catalog.steel(name) {
                 Ok(s) => drop(steels.insert("plate".into(), ("plate.steel".into(), s))),
+                Err(_) if wrong.contains(&name.as_str()) => {}
                 Err(e) => faults.push(unlisted("plate.steel".into(), e)),
             }
         }
@@ -89,22 +100,29 @@ impl<'a> Inputs<'a> {
             }),
             (mu, _) => mu.unwrap_or(0.0),
         };
+        let roles = || template.members.iter().map(|m| m.role.as_str());
+        let strange: Vec<(&String, String)> = spec
+            .members
+            .keys()
+            .filter(|r| !roles().any(|m| m == **r))
+            .map(|r| (r, did_you_mean(r, roles())))
+            .collect();
         for role in &template.members {
-            if !spec.members.contains_key(&role.role) {
+            // a misspelled role is not missing as well
+            let misspelled = strange.iter().any(|s| s.1.contains(&format!("`{}`", role.role)));
+            if !spec.members.contains_key(&role.role) && !misspelled {
                 let path = format!("members.{}", role.role);
                 faults.push(AssemblyError::Missing { path, about: role.about.clone() });
             }
         }
-        for role in spec.members.keys().filter(|r| !template.members.iter().any(|m| m.role == **r))
-        {
-            let roles = || template.members.iter().map(|m| m.role.as_str());
+        for (role, hint) in strange {
             let path = format!("members.{role}");
             faults.push(unknown_in(
                 &template.name,
                 path,
                 "member",
                 role,
-                did_you_mean(role, roles()),
+                hint,
                 known_names(roles()),
             ));
         }
@@ -164,7 +182,7 @@ impl<'a> Inputs<'a> {
         let (path, steel) = self.steel(from)?;
         let fy = steel
             .fy_by(spec.code.fy_source, thickness)
-            .map_err(|cause| AssemblyError::Catalog { path: path.clone(), cause: cause.into() })?;
+            .map_err(|cause| self.at_thickness(path, thickness, cause))?;
         let material =
             PartMaterial { e: steel.e, nu: steel.nu, fy: Some(fy / self.factors.values.gamma_m0) };
         Ok(insert(materials, &steel.grade, thickness, material))
@@ -178,6 +196,20 @@ impl<'a> Inputs<'a> {
         })
     }
 
+    /// A fault of a steel at a thickness, at the place of the parameter of the spec that gives it,
+    /// else at that of the steel.
+    fn at_thickness(&self, steel: &str, thickness: f64, cause: CatalogError) -> AssemblyError {
+        let same = |(name, given): &(&String, &Given)| {
+            name.contains("thickness") && **given == Given::One(Value::length(thickness))
+        };
+        let parameter = self.given.iter().find(same).map(|(name, _)| path_of(name));
+        let path = match cause {
+            CatalogError::Thickness { .. } => parameter,
+            _ => None,
+        };
+        unlisted(path.unwrap_or_else(|| steel.to_owned()), cause)
+    }
+
     /// Nominal strengths, at a given thickness \[mm\], of the first steel of the list that the spec
     /// gives.
     pub fn strength(
@@ -188,10 +220,7 @@ impl<'a> Inputs<'a> {
     ) -> Result<Strength, AssemblyError> {
         let (path, steel) = self.steel(from)?;
         let table = spec.code.fy_source;
-        let fault = |cause: CatalogError| AssemblyError::Catalog {
-            path: path.clone(),
-            cause: cause.into(),
-        };
+        let fault = |cause: CatalogError| self.at_thickness(path, thickness, cause);
         Ok(Strength {
             grade: steel.grade.clone(),
             fy: steel.fy_by(table, thickness).map_err(fault)?,
@@ -321,7 +350,7 @@ fn preload(
     let (force, said) = match spec.bolts.as_ref().and_then(|b| b.preload) {
         None | Some(PreloadSpec::None) => return Ok(None),
         Some(PreloadSpec::Part(part)) => (part * strength, format!("{part} f_ub A_s")),
-        Some(PreloadSpec::Force(force)) => (force, Value::force(force).to_string()),
+        Some(PreloadSpec::Force(force)) => (force, format!("{} kN", number(1e-3 * force))),
     };
     if !grade.preloadable {
         return Err(AssemblyError::Value {

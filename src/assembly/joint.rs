@@ -12,6 +12,7 @@ use super::evaluate::{entry_fault, rules, within};
 use super::inputs::Inputs;
 use super::ledges;
 use super::member_ends;
+use super::no_effect;
 use super::origin::Origin;
 use super::part::Hole;
 use super::scope::{Resolved, Scope};
@@ -157,6 +158,9 @@ pub fn build_from(
         coverage::compare(&mut content, &assembly, &frames, entry, seen);
     }
     content.seams = coverage::seams(&content, &assembly);
+    let without_effect =
+        no_effect::notes(&spec.value, template, &inputs.given, &scope, end_plate.as_ref())
+            .map_err(alone)?;
     let mut resolved = resolved;
     resolved.extend(inputs.preload_resolved(&spec.value));
     resolved.push(inputs.friction_resolved(&spec.value));
@@ -171,6 +175,7 @@ pub fn build_from(
             .into_iter()
             .chain(moved.map(note_of_ledges))
             .chain(small.notes())
+            .chain(without_effect)
             .collect(),
         content,
         bolts,

@@ -18,6 +18,7 @@ pub mod joint;
 mod ledges;
 mod load_checks;
 mod member_ends;
+mod no_effect;
 pub mod origin;
 pub mod part;
 pub mod scope;
@@ -34,7 +35,7 @@ pub use assembly::Assembly;
 pub use builder::BoltLine;
 pub use column_ends::{ColumnEnds, Way};
 pub use content::{Content, NotChecked};
-pub use end_plate::{ColumnSide, EndPlate};
+pub use end_plate::{ColumnSide, EndPlate, UnseenLoad};
 pub use error::AssemblyError;
 pub use joint::{Joint, LoadedTemplate, build, build_from, given_names, names};
 pub use small_actions::{Idle, Neglected};
@@ -43,5 +44,7 @@ pub use small_actions::{Idle, Neglected};
 mod bad_specs;
 #[cfg(test)]
 mod extends_tests;
+#[cfg(test)]
+mod good_messages;
 #[cfg(test)]
 mod tests;

@@ -356,7 +356,11 @@ impl Scope {
                 return;
             }
             let (name, value) = (p.name.clone(), show(q.value, q.dim));
-            let range = range.words.to_owned();
+            let bound = if range.min.is_some_and(|m| q.value < m) { &p.min } else { &p.max };
+            // a bound that depends on other values says so
+            let named = |e: &&Expr| e.eval(&mut |n| Err(n.to_owned())).is_err();
+            let bound = bound.as_ref().filter(named).map(|e| format!("; `{}` sets it", e.text()));
+            let range = format!("{}{}", range.words, bound.unwrap_or_default());
             faults.push(match (&p.default, given.contains_key(&p.name)) {
                 (Some(default), false) => {
                     let causes = causes(template, p, &|name| given.contains_key(name));

@@ -13,6 +13,30 @@ use crate::units::{Length, limits};
 /// Allowed system lengths of members \[mm\].
 const SYSTEM_LENGTHS: std::ops::RangeInclusive<f64> = 100.0..=100e3;
 
+/// What the system length of a member is.
+const LENGTH: &str = "give the system length with its unit: of a beam the distance between the \
+                      centres of the columns, `length: 6 m`, of a column its storey height, \
+                      `length: 3.5 m`";
+
+/// The system length of a member, which is longer than the joint of it is high.
+pub(super) fn system_length(
+    spec: &ConnectionSpec,
+    role: &str,
+    (least, what): (f64, &str),
+) -> Result<Option<f64>, AssemblyError> {
+    let Some(Length(length)) = spec.members.get(role).and_then(|m| m.length) else {
+        return Ok(None);
+    };
+    if length > least {
+        return Ok(Some(length));
+    }
+    Err(AssemblyError::Value {
+        path: format!("members.{role}.length"),
+        problem: format!("a system length of {length} mm is not more than the {what}, {least} mm"),
+        help: LENGTH.into(),
+    })
+}
+
 /// Faults of the members: system lengths and forces beside the joint.
 pub(super) fn members(spec: &ConnectionSpec, template: &Template, faults: &mut Vec<AssemblyError>) {
     let lengths = spec.members.iter().filter_map(|(role, m)| Some((role, m.length?.0)));
@@ -20,9 +44,7 @@ pub(super) fn members(spec: &ConnectionSpec, template: &Template, faults: &mut V
         faults.push(AssemblyError::Value {
             path: format!("members.{role}.length"),
             problem: format!("a system length of {length} mm; allowed: from 100 mm to 100 m"),
-            help: "give the distance between the centres of the columns, with its unit: \
-                   `length: 6 m`"
-                .into(),
+            help: LENGTH.into(),
         });
     }
     column_forces(spec, template, faults);
@@ -130,9 +152,16 @@ fn coulomb_estimate(spec: &ConnectionSpec, mu: f64, faults: &mut Vec<AssemblyErr
 /// Loads that name no section, an unknown section, or a section already loaded.
 fn loads(spec: &ConnectionSpec, template: &Template, faults: &mut Vec<AssemblyError>) {
     if spec.loads.is_empty() {
-        let about = "what acts on the joint; for example `{name: TOP, section: column_top, \
-                     pressure: 45 MPa}`";
-        faults.push(AssemblyError::Missing { path: "loads".into(), about: about.into() });
+        let about = match template.ends.iter().flat_map(|e| e.names()).next() {
+            Some(end) => format!(
+                "what acts on the joint; for example `[{{name: ULS1, end: {end}, at: column_face, \
+                 My: 40 kN m, Vz: -75 kN}}]`"
+            ),
+            None => "what acts on the joint; for example `[{name: TOP, section: column_top, \
+                     pressure: 45 MPa}]`"
+                .into(),
+        };
+        faults.push(AssemblyError::Missing { path: "loads".into(), about });
     }
     let sections = || template.sections.iter().map(|s| s.name.as_str());
     for (i, l) in spec.loads.iter().enumerate() {

@@ -4,7 +4,10 @@ use super::error::CatalogError;
 use super::name::bolt_grade_key;
 use super::source::Source;
 use super::table::{Columns, Entry, RawTable};
+use crate::units::limits;
 use serde::Serialize;
+use std::f64::consts::PI;
+use std::ops::RangeInclusive;
 
 /// Name of the system of plain hexagon bolts, nuts and washers.
 pub const PLAIN_SYSTEM: &str = "ISO 4014";
@@ -121,7 +124,7 @@ impl BoltSize {
                 size: row.text("size")?,
                 standard: "ISO 4014 / ISO 4032 / ISO 7089".to_owned(),
                 preferred: row.flag("preferred")?,
-                d: row.positive("d_mm")?,
+                d: row.within("d_mm", 4.0..=150.0, "the diameter of a bolt in mm")?,
                 pitch: row.positive("pitch_mm")?,
                 area: row.positive("A_mm2")?,
                 stress_area: row.positive("As_mm2")?,
@@ -189,7 +192,7 @@ impl BoltSize {
     }
 
     /// Refuses impossible sizes: a hole smaller than the shank, a head that passes through its
-    /// hole.
+    /// hole, areas that contradict the diameter.
     fn check(&self) -> Result<(), (&'static str, String)> {
         let less = |column, a: f64, what: &str, b: f64| {
             if a < b { Ok(()) } else { Err((column, format!("{what} {b} must exceed {a}"))) }
@@ -199,7 +202,32 @@ impl BoltSize {
         less("head_s_mm", self.hole_normal, "the head", self.head_width)?;
         less("nut_s_mm", self.hole_normal, "the nut", self.nut_width)?;
         less("washer_d2", self.washer_inner, "the washer's outer diameter", self.washer_outer)?;
-        less("As_mm2", self.stress_area, "the gross area", self.area)
+        less("As_mm2", self.stress_area, "the gross area", self.area)?;
+        let shank = 0.25 * PI * self.d * self.d;
+        let near = |column, value: f64, least: f64, most: f64| match value {
+            v if limits::within(v, &(least * shank..=most * shank)) => Ok(()),
+            v => Err((
+                column,
+                format!(
+                    "{v} contradicts d = {} mm: it lies between {:.1} and {:.1}",
+                    self.d,
+                    least * shank,
+                    most * shank
+                ),
+            )),
+        };
+        near("A_mm2", self.area, 0.95, 1.05)?;
+        near("As_mm2", self.stress_area, 0.55, 0.95)?;
+        let wide = |column, value: f64, what: &str| {
+            let most = 4.0 * self.d;
+            let known = limits::at_most(value, most);
+            let problem = || format!("{value}; {what} of d = {} mm is at most {most}", self.d);
+            if known { Ok(()) } else { Err((column, problem())) }
+        };
+        wide("d0_oversize_mm", self.hole_oversize, "the hole for a bolt")?;
+        wide("head_s_mm", self.head_width, "the head of a bolt")?;
+        wide("nut_s_mm", self.nut_width, "the nut of a bolt")?;
+        wide("washer_d2_mm", self.washer_outer, "the washer of a bolt")
     }
 }
 
@@ -244,6 +272,10 @@ pub struct BoltGrade {
     pub source: Source,
 }
 
+/// Shear factors of bolts; EN 1993-1-8 has 0.5 and 0.6.
+const ALPHA_V: RangeInclusive<f64> = 0.3..=0.7;
+const SHEAR: &str = "the shear factor α_v of a bolt";
+
 impl BoltGrade {
     pub(super) const COLUMNS: Columns = Columns {
         kind: "bolt grades",
@@ -265,10 +297,18 @@ impl BoltGrade {
         for row in table.rows() {
             let grade = Self {
                 grade: row.text("grade")?,
-                fyb: row.positive("fyb_MPa")?,
-                fub: row.positive("fub_MPa")?,
-                alpha_v_thread: row.positive("alpha_v_threads_in_shear_plane")?,
-                alpha_v_shank: row.positive("alpha_v_shank_in_shear_plane")?,
+                fyb: row.within(
+                    "fyb_MPa",
+                    150.0..=1500.0,
+                    "the yield strength of a bolt in MPa",
+                )?,
+                fub: row.within(
+                    "fub_MPa",
+                    250.0..=1700.0,
+                    "the ultimate strength of a bolt in MPa",
+                )?,
+                alpha_v_thread: row.within("alpha_v_threads_in_shear_plane", ALPHA_V, SHEAR)?,
+                alpha_v_shank: row.within("alpha_v_shank_in_shear_plane", ALPHA_V, SHEAR)?,
                 preloadable: row.flag("preloadable")?,
                 standard: row.text_or_empty("standard"),
                 source: row.source(),

@@ -47,6 +47,8 @@ pub enum CatalogError {
     Cell {
         /// File and line.
         at: Source,
+        /// Character of the line at which the cell begins, from 1.
+        character: usize,
         /// Header of the column.
         column: String,
         /// What is wrong with the cell, with the value and the limit.
@@ -146,7 +148,9 @@ impl From<CatalogError> for Diagnostic {
                 .help(format!("write the standard too, for example `{}`", choices[0])),
             CatalogError::Duplicate { second, .. } => place(new("catalog/duplicate-name"), second)
                 .help("rename or remove one of the two rows"),
-            CatalogError::Cell { at, .. } => place(new("catalog/bad-cell"), at)
+            CatalogError::Cell { at, character, .. } => new("catalog/bad-cell")
+                .file(at.file)
+                .at(at.line, character)
                 .help("correct the cell; columns carry their unit in the header"),
             CatalogError::MissingColumn { file, .. } => new("catalog/missing-column")
                 .file(file)

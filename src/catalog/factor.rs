@@ -3,8 +3,12 @@
 use super::error::CatalogError;
 use super::source::Source;
 use super::table::{Columns, Entry, RawTable};
-use crate::units::limits;
 use serde::Serialize;
+use std::ops::RangeInclusive;
+
+/// Partial factors of resistances \[-\].
+const FACTORS: RangeInclusive<f64> = 0.5..=3.0;
+const FACTOR: &str = "a partial factor";
 
 /// A friction class of faying surfaces.
 ///
@@ -37,7 +41,13 @@ impl FrictionClass {
             .map(|row| {
                 Ok(Self {
                     class: row.text("class")?,
-                    mu: row.not_negative("slip_factor_mu")?,
+                    mu: match row.not_negative("slip_factor_mu")? {
+                        mu if mu > 1.0 => {
+                            let problem = format!("{mu}; a slip factor lies between 0 and 1");
+                            return Err(row.fault("slip_factor_mu", problem));
+                        }
+                        mu => mu,
+                    },
                     treatment: row.text("surface_treatment")?,
                     source: row.source(),
                 })
@@ -90,7 +100,7 @@ impl PartialFactor {
             .map(|row| {
                 Ok(Self {
                     factor: row.text("factor")?,
-                    value: row.positive("recommended_value")?,
+                    value: row.within("recommended_value", FACTORS, FACTOR)?,
                     applies_to: row.text("applies_to")?,
                     standard: row.text("standard")?,
                     source: row.source(),
@@ -173,13 +183,7 @@ impl NationalAnnex {
         table
             .rows()
             .map(|row| {
-                let factor = |column: &str| match row.positive_or_empty(column)? {
-                    Some(g) if !limits::within(g, &(0.5..=3.0)) => {
-                        Err(row
-                            .fault(column, format!("{g}; a partial factor lies between 0.5 and 3")))
-                    }
-                    g => Ok(g),
-                };
+                let factor = |column: &str| row.within_or_empty(column, FACTORS, FACTOR);
                 Ok(Self {
                     annex: row.text("annex")?,
                     country: row.text("country")?,

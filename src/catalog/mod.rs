@@ -67,11 +67,6 @@ impl Catalog {
         &self.own_tables
     }
 
-    /// The rolled I or H section with this name.
-    pub fn profile(&self, name: &str) -> Result<&IProfile, CatalogError> {
-        self.profiles.get(name)
-    }
-
     /// The bolt of this size: `M18` is the plain hexagon bolt, `HR M20` and `HV M20` belong to the
     /// preloaded systems.
     pub fn bolt(&self, name: &str) -> Result<&BoltSize, CatalogError> {
@@ -81,6 +76,19 @@ impl Catalog {
     /// The bolt grade, for example `8.8`.
     pub fn bolt_grade(&self, name: &str) -> Result<&BoltGrade, CatalogError> {
         self.bolt_grades.get(name)
+    }
+
+    /// The rolled I or H section with this name.
+    pub fn profile(&self, name: &str) -> Result<&IProfile, CatalogError> {
+        self.profiles.get(name).map_err(|fault| match fault {
+            CatalogError::Unknown { noun, kind, name, .. }
+                if self::name::is_no_i_section(&name) =>
+            {
+                let hint = ": members are I or H sections, hot rolled".into();
+                CatalogError::Unknown { noun, kind, name, hint }
+            }
+            other => other,
+        })
     }
 
     /// The steel, by grade (`S235`, `S355 J2+N`). If several standards contain the grade, `name`

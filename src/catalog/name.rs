@@ -40,6 +40,17 @@ pub fn profile_key(name: &str) -> String {
     format!("{series}{figures}")
 }
 
+/// Series of profiles that are no I or H sections.
+const OTHER_SERIES: [&str; 13] =
+    ["UPE", "UPN", "UAP", "UPA", "U", "PFC", "RHS", "SHS", "CHS", "HSS", "QRO", "L", "T"];
+
+/// Whether a name is that of a channel, hollow section, angle or tee: `UPE200`, `SHS 100x5`.
+pub fn is_no_i_section(name: &str) -> bool {
+    let key = profile_key(name);
+    let series = key.split(|c: char| c.is_ascii_digit()).next().unwrap_or_default();
+    series.len() < key.len() && OTHER_SERIES.contains(&series)
+}
+
 /// The key of a bolt grade: `8.8`; `F3125 Grade A325`, `ASTM A325M` → `A325`.
 pub fn bolt_grade_key(name: &str) -> String {
     let flat = astm_key(&normalise(name));

@@ -4,6 +4,7 @@ use super::error::CatalogError;
 use super::name::profile_key;
 use super::source::Source;
 use super::table::{Columns, Entry, RawTable, Row};
+use crate::units::limits;
 use serde::Serialize;
 use std::f64::consts::PI;
 
@@ -263,7 +264,17 @@ impl IProfile {
             profile.computed |= given.is_none();
             *profile.property(i) = given.unwrap_or(outline);
         }
-        profile.mass = filled("mass_kg_per_m")?.unwrap_or(DENSITY * 1e-4 * profile.area);
+        let mass = DENSITY * 1e-4 * profile.area;
+        profile.mass = filled("mass_kg_per_m")?.unwrap_or(mass);
+        if (profile.mass / mass - 1.0).abs() > CONTRADICTION {
+            let problem = format!(
+                "{} contradicts the area of this row, which gives {mass:.4}; at most {} % may lie \
+                 between them",
+                profile.mass,
+                100.0 * CONTRADICTION
+            );
+            return Err(row.fault("mass_kg_per_m", problem));
+        }
         for (column, given, outline) in profile.properties() {
             if (outline / given - 1.0).abs() > CONTRADICTION {
                 return Err(row.fault(
@@ -275,6 +286,18 @@ impl IProfile {
                     ),
                 ));
             }
+        }
+        // the rules for thin rectangles leave out the fillets
+        let thin = Self { i_t: None, ..profile.clone() }.torsion_constant();
+        if let Some(given) = profile.i_t
+            && !limits::within(1e4 * given / thin, &(0.5..=3.0))
+        {
+            let thin = 1e-4 * thin;
+            let problem = format!(
+                "{given} contradicts the dimensions of this row: the rectangles of flanges and \
+                 web give {thin:.4}"
+            );
+            return Err(row.fault("It_cm4", problem));
         }
         Ok(profile)
     }

@@ -6,6 +6,14 @@ use super::source::Source;
 use super::table::{Columns, Entry, RawTable};
 use crate::spec::code::FySource;
 use serde::Serialize;
+use std::ops::RangeInclusive;
+
+/// Yield strengths of structural steels \[MPa\].
+const YIELD: RangeInclusive<f64> = 100.0..=1300.0;
+const FY: &str = "the yield strength of a structural steel in MPa";
+/// Ultimate strengths of structural steels \[MPa\].
+const ULTIMATE: RangeInclusive<f64> = 200.0..=1700.0;
+const FU: &str = "the ultimate strength of a structural steel in MPa";
 
 /// Nominal strength for one range of thickness, `over < t ≤ up_to`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -124,15 +132,17 @@ impl Steel {
         table.check(Self::COLUMNS)?;
         let mut steels = Vec::new();
         for row in table.rows() {
+            let fy = |column| row.within(column, YIELD, FY);
+            let fu = |column| row.within(column, ULTIMATE, FU);
             let mut bands = vec![Band {
                 over: 0.0,
                 up_to: 40.0,
-                fy: row.positive("fy_t_le_40_MPa")?,
-                fu: row.positive("fu_t_le_40_MPa")?,
+                fy: fy("fy_t_le_40_MPa")?,
+                fu: fu("fu_t_le_40_MPa")?,
             }];
             let thick = (
-                row.positive_or_empty("fy_t_40_to_80_MPa")?,
-                row.positive_or_empty("fu_t_40_to_80_MPa")?,
+                row.within_or_empty("fy_t_40_to_80_MPa", YIELD, FY)?,
+                row.within_or_empty("fu_t_40_to_80_MPa", ULTIMATE, FU)?,
             );
             match thick {
                 (Some(fy), Some(fu)) => bands.push(Band { over: 40.0, up_to: 80.0, fy, fu }),
@@ -148,10 +158,6 @@ impl Steel {
                     );
                 }
             }
-            let nu = row.positive("nu")?;
-            if nu >= 0.5 {
-                return Err(row.fault("nu", format!("{nu} must be below 0.5")));
-            }
             if let Some(b) = bands.iter().find(|b| b.fu < b.fy) {
                 return Err(
                     row.fault("fu_t_le_40_MPa", format!("fu = {} is below fy = {}", b.fu, b.fy))
@@ -160,10 +166,14 @@ impl Steel {
             steels.push(Self {
                 standard: row.text("standard")?,
                 grade: row.text("grade")?,
-                e: row.positive("E_MPa")?,
-                nu,
-                density: row.positive("density_kg_per_m3")?,
-                beta_w: row.positive_or_empty("beta_w")?,
+                e: row.within("E_MPa", 150e3..=230e3, "Young's modulus of steel in MPa")?,
+                nu: row.within("nu", 0.2..=0.4, "Poisson's ratio of steel")?,
+                density: row.within(
+                    "density_kg_per_m3",
+                    7e3..=8.5e3,
+                    "the density of steel in kg/m³",
+                )?,
+                beta_w: row.within_or_empty("beta_w", 0.7..=1.2, "β_w of fillet welds")?,
                 bands,
                 product_bands: Vec::new(),
                 product_basis: None,
@@ -184,8 +194,8 @@ impl Steel {
             let band = Band {
                 over: row.not_negative("t_over_mm")?,
                 up_to: row.positive("t_up_to_mm")?,
-                fy: row.positive("ReH_min_MPa")?,
-                fu: row.positive("Rm_min_MPa")?,
+                fy: row.within("ReH_min_MPa", YIELD, FY)?,
+                fu: row.within("Rm_min_MPa", ULTIMATE, FU)?,
             };
             if band.up_to <= band.over {
                 return Err(row.fault(

@@ -4,7 +4,9 @@ use super::error::CatalogError;
 use super::name::{nearest_sizes, normalise};
 use super::source::Source;
 use crate::diag::did_you_mean;
+use crate::units::limits;
 use std::collections::BTreeMap;
+use std::ops::RangeInclusive;
 
 /// Most rows of a table; the largest catalogue of profiles has some thousand.
 const MOST_ROWS: usize = 100_000;
@@ -29,6 +31,8 @@ pub(super) struct RawTable {
     file: String,
     headers: Vec<String>,
     rows: Vec<(usize, Vec<String>)>,
+    /// The lines of the file.
+    lines: Vec<String>,
     /// Text of a `# source: …` comment line.
     pub provenance: Option<String>,
 }
@@ -80,7 +84,8 @@ impl RawTable {
             .lines()
             .find_map(|l| l.strip_prefix('#')?.trim().strip_prefix("source:"))
             .map(|s| s.trim().to_owned());
-        Ok(Self { file: file.to_owned(), headers, rows, provenance })
+        let lines = text.lines().map(str::to_owned).collect();
+        Ok(Self { file: file.to_owned(), headers, rows, lines, provenance })
     }
 
     /// The file that the table was read from.
@@ -103,6 +108,7 @@ impl RawTable {
                 let at = Source { file: file(), line: 1 };
                 return Err(CatalogError::Cell {
                     at,
+                    character: self.start(1, i),
                     column: h.clone(),
                     problem: "the header is there twice".into(),
                 });
@@ -132,6 +138,20 @@ impl RawTable {
         Ok(())
     }
 
+    /// Character of a line, counted from 1, at which its cell of a number begins.
+    fn start(&self, line: usize, cell: usize) -> usize {
+        let text = line.checked_sub(1).and_then(|l| self.lines.get(l)).map_or("", String::as_str);
+        let (mut quoted, mut passed) = (false, 0);
+        for (i, c) in text.chars().enumerate() {
+            if passed == cell && c != ' ' {
+                return i + 1;
+            }
+            quoted ^= c == '"';
+            passed += usize::from(c == ',' && !quoted);
+        }
+        1
+    }
+
     /// The rows in the order of the file.
     pub fn rows(&self) -> impl Iterator<Item = Row<'_>> {
         self.rows.iter().map(|(line, cells)| Row { table: self, line: *line, cells })
@@ -146,7 +166,13 @@ impl Row<'_> {
 
     /// An error about one cell.
     pub fn fault(&self, column: &str, problem: impl Into<String>) -> CatalogError {
-        CatalogError::Cell { at: self.source(), column: column.to_owned(), problem: problem.into() }
+        let cell = self.table.headers.iter().position(|h| h == column).unwrap_or(0);
+        CatalogError::Cell {
+            at: self.source(),
+            character: self.table.start(self.line, cell),
+            column: column.to_owned(),
+            problem: problem.into(),
+        }
     }
 
     fn cell(&self, column: &str) -> &str {
@@ -200,6 +226,35 @@ impl Row<'_> {
         match self.finite(column)? {
             value if value >= 0.0 => Ok(value),
             value => Err(self.fault(column, format!("{value} must not be negative"))),
+        }
+    }
+
+    /// A finite number within the range that such a value can have; `what` names it with its unit.
+    pub fn within(
+        &self,
+        column: &str,
+        range: RangeInclusive<f64>,
+        what: &str,
+    ) -> Result<f64, CatalogError> {
+        let value = self.positive(column)?;
+        if limits::within(value, &range) {
+            return Ok(value);
+        }
+        let (least, most) = (range.start(), range.end());
+        Err(self.fault(column, format!("{value}; {what} lies between {least} and {most}")))
+    }
+
+    /// The same, or `None` if the cell is empty.
+    pub fn within_or_empty(
+        &self,
+        column: &str,
+        range: RangeInclusive<f64>,
+        what: &str,
+    ) -> Result<Option<f64>, CatalogError> {
+        if self.cell(column).is_empty() {
+            Ok(None)
+        } else {
+            self.within(column, range, what).map(Some)
         }
     }
 

@@ -7,6 +7,9 @@ use std::fmt;
 /// What the formula of a check says whose demand or resistance is not finite.
 const NO_NUMBER: &str = "; there is no such number, so that the check does not hold";
 
+/// Words before what would decide an undecided check.
+pub(super) const DECIDED_BY: &str = "what would decide it";
+
 /// Unit of a value of a check. Values are always in the internal units.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Unit {
@@ -176,15 +179,32 @@ impl Check {
         checks.iter().find(|c| c.title == title && c.subject == subject)
     }
 
-    /// A check for which the code gives no resistance, with the reason.
+    /// A check for which the code gives no resistance, with the reason, and what would decide it.
     pub fn undecided(
         topic: Topic,
         subject: impl Into<String>,
         clause: &str,
         title: &str,
         why: impl Into<String>,
+        step: &str,
     ) -> Self {
-        Self { status: Status::Undecided, ..Self::assumption(topic, subject, clause, title, why) }
+        let open = Self::assumption(topic, subject, clause, title, why);
+        Self { status: Status::Undecided, ..open }.decided_by(step)
+    }
+
+    /// The check; if it is undecided, with what would decide it.
+    #[must_use]
+    pub fn decided_by(mut self, step: &str) -> Self {
+        if self.status == Status::Undecided {
+            self.formula += &format!("; {DECIDED_BY}: {step}");
+        }
+        self
+    }
+
+    /// Why an undecided check is open, and what would decide it.
+    pub fn open(&self) -> Option<(&str, &str)> {
+        let mark = format!("; {DECIDED_BY}: ");
+        self.formula.rsplit_once(&mark).filter(|_| self.status == Status::Undecided)
     }
 
     /// An assumption of the checks, in words.

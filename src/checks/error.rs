@@ -21,7 +21,19 @@ pub enum CheckError {
         what: String,
         /// The clause whose limits are exceeded.
         clause: &'static str,
+        /// What would bring the joint inside.
+        step: &'static str,
     },
+}
+
+impl CheckError {
+    /// What would make the check possible.
+    pub fn step(&self) -> &'static str {
+        match self {
+            CheckError::OutOfRange { .. } => "a value inside this range",
+            CheckError::NotCovered { step, .. } => step,
+        }
+    }
 }
 
 /// Refuses a value that is not positive and finite.

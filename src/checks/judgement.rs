@@ -95,7 +95,8 @@ fn of_case(checks: &HandChecks, a: &Analysed, complete: bool) -> Judgement {
         (Verdict::None, _) if service => (Verdict::None, None),
         _ => (Verdict::Undecided, None),
     };
-    let code = governing_check(&binding, by_code);
+    let check = governing_check(&binding, by_code);
+    let code = check.map(Governing::by_check);
     let analysis = (a.verdict != Verdict::None).then(|| Governing {
         case: Some(a.case.clone()),
         what: "load factor at collapse".into(),
@@ -107,7 +108,8 @@ fn of_case(checks: &HandChecks, a: &Analysed, complete: bool) -> Judgement {
     let more = verdict != Verdict::Undecided && used(&analysis) > used(&code);
     let by_bracket = by_code != verdict || (a.verdict == verdict && more);
     let governing = if by_bracket { analysis.or(code) } else { code };
-    let reason = reason::sentence(a, by_code, (verdict, route), governing.as_ref());
+    let open = check.filter(|c| c.status == Status::Undecided);
+    let reason = reason::sentence(a, (by_code, open), (verdict, route), governing.as_ref());
     Judgement { verdict, route, by_code, by_analysis: a.verdict, reason, governing }
 }
 
@@ -150,7 +152,7 @@ fn binds(c: &Check) -> bool {
 
 /// The check that governs a verdict by code: a strength rather than a least length, with the
 /// largest utilisation.
-fn governing_check(binding: &[&Check], by_code: Verdict) -> Option<Governing> {
+fn governing_check<'a>(binding: &[&'a Check], by_code: Verdict) -> Option<&'a Check> {
     let status = match by_code {
         Verdict::NotOk => Status::Failed,
         Verdict::Undecided => Status::Undecided,
@@ -158,16 +160,11 @@ fn governing_check(binding: &[&Check], by_code: Verdict) -> Option<Governing> {
     };
     // a least distance that is kept does not describe the strength
     let speaks = |c: &&&Check| {
-        c.status == status && (status != Status::Ok || (c.case.is_some() && !c.is_limit()))
+        c.status == status && (status != Status::Ok || (c.utilisation.is_some() && !c.is_limit()))
     };
     let used = |c: &Check| c.utilisation.unwrap_or(f64::INFINITY);
-    let c = binding.iter().filter(speaks).reduce(|a, b| if used(b) > used(a) { b } else { a })?;
-    Some(Governing {
-        case: c.case.clone(),
-        what: format!("{}, {}", c.title, c.subject),
-        clause: c.clause.clone(),
-        utilisation: c.utilisation.map(|u| [u, u]),
-    })
+    let speaking = binding.iter().copied().filter(|c| speaks(&c));
+    speaking.reduce(|a, b| if used(b) > used(a) { b } else { a })
 }
 
 impl Judgement {

@@ -237,7 +237,7 @@ pub fn starter(
         out,
         "project:\n  title: New joint\n  date: {date:?}\n  # number: \"\"  # project number\n  # \
          author: \"\"  # who made it\n  # checker: \"\"  # who checks it\n  # revision: \"A\"  # \
-         revision\n\n",
+         revision\n  # language: en  # of the reports; or de\n\n",
     );
     out.push_str(
         "code:\n  edition: EN 1993-1-8:2005\n  # annex: recommended  # national annex of the \
@@ -246,14 +246,28 @@ pub fn starter(
          1.0  # of instability\n  # gamma_M2: 1.25  # of bolts and welds\n  # gamma_M3: 1.25  # \
          of slip at the ultimate limit state\n  # gamma_M3_ser: 1.1  # of slip at \
          serviceability\n  # gamma_M7: 1.1  # of the preload of bolts\n  # fy_source: table_3_1  \
-         # or product_standard: steps of f_y from 16 mm up\n\n",
+         # or product_standard: steps of f_y from 16 mm up\n  # prying: by_length  # or always: \
+         prying forces in every T-stub, whatever the length of the bolts\n\n",
     );
     // blanks, `#` and quotes in a path would end the YAML text
     let plain = |c: char| c.is_alphanumeric() || "_-./\\".contains(c);
     let name = if name.chars().all(plain) { name.to_owned() } else { format!("{name:?}") };
     let own = "# catalog: my_tables  # folder with .csv tables of your own, beside the built-in \
                catalogue";
-    let _ = writeln!(out, "template: {name}\n{own}\n\nmembers:");
+    let _ = writeln!(out, "template: {name}\n{own}\n");
+    out.push_str(
+        "# length: system length, of a beam between the centres of the columns, of a column its \
+         storey height: class of the joint by stiffness\n",
+    );
+    if let Some(column) = template.hand_checks.as_ref().and_then(|h| h.column.as_ref()) {
+        let _ = writeln!(
+            out,
+            "# N_Ed (tension positive), M_Ed, V_Ed: forces of the column beside the joint; they \
+             are checked, and reduce the column web: {column}: {{…, length: 3.5 m, N_Ed: -400 kN, \
+             M_Ed: 30 kN m}}"
+        );
+    }
+    out.push_str("members:\n");
     for m in &template.members {
         let _ = writeln!(
             out,
@@ -289,7 +303,8 @@ pub fn starter(
             .for_each(|r| line(&mut out, r.name.trim_start_matches("bolts."), r));
         out.push_str(
             "  # preload: none  # or a part of f_ub A_s (0.7: F_p,C of EN 1993-1-8 3.9.1), or a \
-             force: 98.7 kN\n",
+             force: 98.7 kN\n  # category: A  # of EN 1993-1-8 Table 3.2: A or D in bearing or \
+             tension; B, C or E preloaded\n",
         );
     }
     let others: Vec<&Resolved> = resolved.iter().filter(|r| !r.name.contains('.')).collect();
@@ -298,7 +313,9 @@ pub fn starter(
         others.iter().for_each(|r| line(&mut out, &r.name, r));
     }
     out.push_str(
-        "\nfriction:\n  mu: 0  # friction coefficient of all contact surfaces, 0 to 2, 0 is on \
+        "\n# welds: {ends: returned, bearing_in_contact: false}  # fillet welds: returned at the \
+         tips of the flanges, open or all_round; true: compression goes through the contact of \
+         beam and plate\n\nfriction:\n  mu: 0  # friction coefficient of all contact surfaces, 0 to 2, 0 is on \
          the safe side; or `class: C` (A, B, C, D of EN 1090-2)\n  # law: coulomb  # no dilation, \
          by a fixed point; associated: slip dilates, both bounds are strict for this law\n\n",
     );

@@ -88,10 +88,16 @@ pub fn summary_rows(result: &ResultFile) -> Vec<SummaryRow> {
         return rows;
     }
     rows.extend(worst_limits(&result.checks).into_iter().map(row));
-    // checks that decide without a load; the limits have their own rows
-    let open =
-        |c: &&Check| matches!(c.status, Status::Failed | Status::Undecided) && c.case.is_none();
-    rows.extend(result.checks.iter().filter(open).filter(|c| !c.is_limit()).map(row));
+    // checks that decide without a load case; the limits have their own rows
+    let alone = |c: &&Check| {
+        let decides = match c.status {
+            Status::Failed | Status::Undecided => true,
+            Status::Ok => c.utilisation.is_some(),
+            Status::Warning | Status::Information => false,
+        };
+        decides && c.case.is_none() && !c.is_limit()
+    };
+    rows.extend(result.checks.iter().filter(alone).map(row));
     rows.extend(loaded.into_iter().map(row));
     let governing = result.judgement.as_ref().and_then(|j| j.governing.as_ref());
     let most = rows.iter().filter_map(|r| r.governs_by).fold(f64::NEG_INFINITY, f64::max);
@@ -169,9 +175,13 @@ fn worst_limits(checks: &[Check]) -> Vec<&Check> {
 }
 
 fn row(c: &Check) -> SummaryRow {
-    // a sum of shares has no resistance but 1: its utilisation says all
-    let sum = c.unit == Unit::Number;
-    let show = |v: Option<f64>| v.filter(|_| !sum).map_or("–".into(), |v| c.unit.show(v));
+    let show = |v: Option<f64>| v.map_or("–".into(), |v| c.unit.show(v));
+    // a sum of shares is limited by 1
+    let [demand, resistance] = match (c.unit, c.utilisation) {
+        (Unit::Number, Some(sum)) => [utilisation(sum, Rounding::Nearest), "1".into()],
+        (Unit::Number, None) => ["–".into(), "–".into()],
+        _ => [show(c.demand), show(c.resistance)],
+    };
     let decides = matches!(c.status, Status::Ok | Status::Failed | Status::Undecided)
         && !matches!(c.topic, Topic::Stiffness | Topic::Ductility);
     let (status, tone) = match (c.status, c.utilisation) {
@@ -190,8 +200,8 @@ fn row(c: &Check) -> SummaryRow {
     SummaryRow {
         case: c.case.clone().unwrap_or_else(|| "all".into()),
         check: format!("{}, {}", c.title, c.subject),
-        demand: show(c.demand),
-        resistance: show(c.resistance),
+        demand,
+        resistance,
         utilisation: used_words(c),
         clause: c.clause.clone(),
         status: status.into(),

@@ -151,15 +151,16 @@ pub struct MemberSpec {
     #[serde(deserialize_with = "word")]
     #[schemars(schema_with = "word_schema")]
     pub steel: String,
-    /// System length, between the centres of the columns for a beam: it decides the class of its
-    /// joints by stiffness.
+    /// System length: of a beam between the centres of the columns, of a column its storey height.
+    /// It decides the class of the joint by stiffness.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub length: Option<Length>,
     /// Column: axial force beside the joint, tension positive; its compression reduces the web's
     /// resistance (k_wc).
     #[serde(default, rename = "N_Ed", skip_serializing_if = "Option::is_none")]
     pub n_ed: Option<Force>,
-    /// Column: largest moment beside the joint about the strong axis (k_wc).
+    /// Column: largest moment above or below the node about the strong axis (k_wc); at least half of
+    /// what the beams bring to the node.
     #[serde(default, rename = "M_Ed", skip_serializing_if = "Option::is_none")]
     pub m_ed: Option<Moment>,
     /// Column: what its shear forces take off that of the web panel, (V_c1 − V_c2)/2 of EN 1993-1-8

@@ -254,7 +254,14 @@ fn from_serde(error: &serde_yaml::Error, index: &PlaceIndex, file: &Path) -> Dia
         if let Some((path, rest)) = split_at_marker(text, marker) {
             let at = if path.is_empty() { String::new() } else { format!("`{path}`: ") };
             let d = Diagnostic::input(code, format!("{at}{rest}"));
-            return named(d.help("`bracket schema` lists every key with its unit"), path);
+            let help = match code {
+                "yaml/expression" => {
+                    "expressions have names, numbers with units, brackets in pairs, `+ - * / ^` \
+                     and comparisons: `==`, `<=`"
+                }
+                _ => "`bracket schema` lists every key with its unit",
+            };
+            return named(d.help(help), path);
         }
     }
     if text.contains("repetition limit") || text.contains(outline::TOO_LARGE) {

@@ -38,6 +38,8 @@ pub struct Parameter {
     pub default: Option<Default>,
     /// Value of the starter where there is no default, as the spec would say it.
     pub example: Option<ParameterValue>,
+    /// When it has an effect; absent: always. A spec that gives it without effect gets a warning.
+    pub used_if: Option<Expr>,
     /// What it is.
     pub about: String,
 }

@@ -137,3 +137,60 @@ fn a_refused_folder_leaves_the_catalogue_as_it_was() {
     assert_eq!(catalog.profiles().len(), before);
     assert!(catalog.profile("MY200").is_err());
 }
+
+/// Values that no such part can have, each in an own table, with the line and the character of the
+/// cell.
+#[test]
+fn values_that_no_part_can_have_are_refused() {
+    const STEEL: &str = "standard,grade,fy_t_le_40_MPa,fu_t_le_40_MPa,fy_t_40_to_80_MPa,\
+                         fu_t_40_to_80_MPa,E_MPa,nu,density_kg_per_m3,beta_w";
+    const GRADE: &str = "grade,fyb_MPa,fub_MPa,alpha_v_threads_in_shear_plane,\
+                         alpha_v_shank_in_shear_plane,preloadable";
+    const FACTOR: &str = "factor,recommended_value,applies_to,standard";
+    const CLASS: &str = "class,slip_factor_mu,surface_treatment";
+    let bolts = include_str!("../../../catalogs/bolts.csv");
+    let row = |text: &str, name: &str| {
+        let found = text.lines().find(|l| l.starts_with(name)).expect("a row");
+        found.replacen(name, "My,", 1)
+    };
+    let m20 = row(bolts, "M20,");
+    let bolt = |old: &str, new: &str| {
+        assert!(m20.contains(old), "{m20} {old}");
+        format!("{}\n{}\n", bolts.lines().next().expect("a header"), m20.replacen(old, new, 1))
+    };
+    let steel = |cells: &str| format!("{STEEL}\nown,My235,{cells}\n");
+    let grade = |cells: &str| format!("{GRADE}\nmy,{cells},yes\n");
+    for (text, column, words) in [
+        (steel("35500,51000,335,470,210000,0.3,7850,0.9"), "fy_t_le_40_MPa", "100 and 1300"),
+        (steel("355,510,335,470,210,0.3,7850,0.9"), "E_MPa", "150000 and 230000"),
+        (steel("355,510,335,470,210000,0.3,7850,0.09"), "beta_w", "0.7 and 1.2"),
+        (steel("355,510,335,47000,210000,0.3,7850,0.9"), "fu_t_40_to_80_MPa", "200 and 1700"),
+        (steel("355,510,335,470,210000,0.5,7850,0.9"), "nu", "0.2 and 0.4"),
+        (steel("355,510,335,470,210000,0.3,7.85,0.9"), "density_kg_per_m3", "7000 and 8500"),
+        (grade("640,9000,0.6,0.6"), "fub_MPa", "250 and 1700"),
+        (grade("640,800,6,0.6"), "alpha_v_threads_in_shear_plane", "0.3 and 0.7"),
+        (bolt(",245,", ",2450,"), "As_mm2", "must exceed"),
+        (bolt("314.2,245,", "3142,2450,"), "A_mm2", "contradicts d = 20 mm"),
+        (format!("{FACTOR}\ngamma_M2,0.125,bolts,own\n"), "recommended_value", "0.5 and 3"),
+        (format!("{CLASS}\nZ,5,blasted\n"), "slip_factor_mu", "between 0 and 1"),
+    ] {
+        let d = fault(&[("own.csv", &text)]);
+        assert_eq!((d.code, d.fault, d.place.line), ("catalog/bad-cell", Fault::Input, Some(2)));
+        assert!(d.message.contains(column) && d.message.contains(words), "{}", d.message);
+        // the cell begins behind as many commas as its header
+        let at = |line: &str, character: usize| {
+            line.chars().take(character - 1).filter(|c| *c == ',').count()
+        };
+        let (head, cells) = text.split_once('\n').expect("two lines");
+        let header = head.split(',').position(|h| h == column).expect("a header");
+        assert_eq!(at(cells, d.place.column.expect("a character")), header, "{column}");
+    }
+    for (column, value) in [("It_cm4", "100000"), ("mass_kg_per_m", "1")] {
+        let text = match HEAD.contains(column) {
+            true => profile_with(column, value),
+            false => format!("{},{column}\n{},{value}\n", HEAD.trim_end(), GOOD.trim_end()),
+        };
+        let d = fault(&[("own.csv", &text)]);
+        assert!(d.code == "catalog/bad-cell" && d.message.contains(column), "{}", d.message);
+    }
+}

@@ -101,6 +101,8 @@ pub struct Stability {
     /// it. False: the code gives no design resistance, and the component method alone cannot
     /// conclude OK.
     pub covered: bool,
+    /// What would remove the doubt.
+    pub step: &'static str,
 }
 
 /// Resistance and stiffness of a joint for one sense of bending.
@@ -345,6 +347,9 @@ fn limits(
     out
 }
 
+/// What keeps a column web from buckling under a flange.
+const STIFFER_WEB: &str = "a column with a thicker web, or thicker stiffeners";
+
 /// The components that may buckle before they yield.
 fn stability(joint: &EndPlateJoint, rows: &Rows<'_>, panel: Option<&ShearPanel>) -> Vec<Stability> {
     let mut out = Vec::new();
@@ -358,7 +363,12 @@ fn stability(joint: &EndPlateJoint, rows: &Rows<'_>, panel: Option<&ShearPanel>)
                 number(web.slenderness()),
                 number(rho)
             );
-            out.push(Stability { why, clause: "EN 1993-1-8:2005 6.2.6.2", covered: true });
+            out.push(Stability {
+                why,
+                clause: "EN 1993-1-8:2005 6.2.6.2",
+                covered: true,
+                step: STIFFER_WEB,
+            });
         }
         let of_cross = zone.resistance();
         if let Some(chi) = of_cross.step("χ").filter(|chi| *chi < 1.0) {
@@ -366,7 +376,12 @@ fn stability(joint: &EndPlateJoint, rows: &Rows<'_>, panel: Option<&ShearPanel>)
                 "the stiffened column web buckles under the compressed flange: χ = {}",
                 number(chi)
             );
-            out.push(Stability { why, clause: "EN 1993-1-8:2005 6.2.6.2(4)", covered: true });
+            out.push(Stability {
+                why,
+                clause: "EN 1993-1-8:2005 6.2.6.2(4)",
+                covered: true,
+                step: STIFFER_WEB,
+            });
         }
         let outstand = 0.5 * (c.section.b - c.section.tw);
         let limit = column_web::STIFFENER_SLENDERNESS * epsilon(c.fy);
@@ -376,7 +391,12 @@ fn stability(joint: &EndPlateJoint, rows: &Rows<'_>, panel: Option<&ShearPanel>)
                 "the stiffeners of the column buckle about their weld: c/t_s = {ratio} > 13 ε = {}",
                 number(limit)
             );
-            out.push(Stability { why, clause: "EN 1993-1-5:2006 9.2.1(8)", covered: false });
+            out.push(Stability {
+                why,
+                clause: "EN 1993-1-5:2006 9.2.1(8)",
+                covered: false,
+                step: "thicker stiffeners",
+            });
         }
         if let Some(panel) = panel.filter(|p| p.slender()) {
             let (slenderness, limit) = panel.slenderness();
@@ -385,14 +405,24 @@ fn stability(joint: &EndPlateJoint, rows: &Rows<'_>, panel: Option<&ShearPanel>)
                 number(slenderness),
                 number(limit)
             );
-            out.push(Stability { why, clause: "EN 1993-1-8:2005 6.2.6.1(1)", covered: false });
+            out.push(Stability {
+                why,
+                clause: "EN 1993-1-8:2005 6.2.6.1(1)",
+                covered: false,
+                step: "a web doubler or a column with a thicker web",
+            });
         }
     }
     if beam::class(&joint.beam.section, joint.beam.fy) == Class::Slender {
         let why = "the beam is of class 4 in bending: its compressed flange or web buckles before \
                    it yields"
             .into();
-        out.push(Stability { why, clause: "EN 1993-1-1:2005 5.5.2", covered: false });
+        out.push(Stability {
+            why,
+            clause: "EN 1993-1-1:2005 5.5.2",
+            covered: false,
+            step: "a beam of class 1 to 3",
+        });
     }
     out
 }

@@ -99,6 +99,7 @@ impl<'a> Rows<'a> {
             return Err(CheckError::NotCovered {
                 what: "no row of bolts lies on the side of the tension".into(),
                 clause: "EN 1993-1-8:2005 6.2.7.2",
+                step: "a row of bolts on that side (`bolts.rows`)",
             });
         }
         let lever = z.iter().map(|z| z - centre).collect();
@@ -110,13 +111,14 @@ impl<'a> Rows<'a> {
 
     /// Refuses rows that the tables of effective lengths do not cover.
     fn covered(&self) -> Result<(), CheckError> {
-        let not = |what: String, clause| Err(CheckError::NotCovered { what, clause });
+        let not = |what: String, clause, step| Err(CheckError::NotCovered { what, clause, step });
         let outside =
             |up: bool| self.z.iter().filter(|z| self.outside(**z) && (**z > 0.0) == up).count();
         if outside(true) > 1 || outside(false) > 1 {
             return not(
                 "two rows or more lie outside the tension flange of the beam".into(),
                 "EN 1993-1-8:2005 Table 6.6",
+                "one row outside each flange (`bolts.rows`)",
             );
         }
         let (gauge, flange) = (self.joint.bolts.gauge, self.joint.beam.section.b);
@@ -129,6 +131,7 @@ impl<'a> Rows<'a> {
                     n(flange)
                 ),
                 "EN 1993-1-8:2005 figure 6.10",
+                "a gauge inside the flange (`bolts.gauge`)",
             );
         }
         let column = self.joint.column.as_ref().map(|c| (self.m_column(c), "column web"));
@@ -137,6 +140,7 @@ impl<'a> Rows<'a> {
                 return not(
                     format!("the bolts stand in the root or weld of the {what}: m = {} mm", n(m)),
                     "EN 1993-1-8:2005 figures 6.8 and 6.10",
+                    "a wider gauge (`bolts.gauge`)",
                 );
             }
         }
@@ -149,6 +153,7 @@ impl<'a> Rows<'a> {
                 return not(
                     format!("the row at z = {} mm stands on the beam flange or its weld", n(*z)),
                     "EN 1993-1-8:2005 figure 6.10",
+                    "a row farther from the flange (`bolts.rows`)",
                 );
             }
             let [above, below] = self.stiffeners(i);
@@ -156,6 +161,7 @@ impl<'a> Rows<'a> {
                 return not(
                     format!("the row at z = {} mm stands on a stiffener of the column", n(*z)),
                     "EN 1993-1-8:2005 figure 6.11",
+                    "a row farther from the stiffener (`bolts.rows`)",
                 );
             }
         }

@@ -1,14 +1,15 @@
 //! Assumptions of the checks where the spec gives no value, and input that the code does not cover.
 
-use super::column_forces::columns;
-use crate::assembly::{EndPlate, NotChecked};
+use super::column_forces::{ColumnForces, corner};
+use crate::assembly::{EndPlate, NotChecked, UnseenLoad};
 use crate::checks::check::{Check, Status, Topic, Unit};
 
 /// Loads that the checks leave out.
 pub(super) fn unseen_loads(e: &EndPlate) -> Vec<Check> {
-    let unseen = |(case, why): &(String, String)| {
+    let unseen = |l: &UnseenLoad| {
         let (clause, title) = ("EN 1993-1-8:2005 6.2", "loads that the checks do not hold");
-        Check::undecided(Topic::ComponentMethod, "joint", clause, title, why.clone()).of_case(case)
+        let topic = Topic::ComponentMethod;
+        Check::undecided(topic, "joint", clause, title, l.why.clone(), &l.step).of_case(&l.case)
     };
     e.unseen.iter().map(unseen).collect()
 }
@@ -19,10 +20,12 @@ pub(super) fn not_checked(e: &EndPlate) -> Vec<Check> {
     let check = |n: &NotChecked| {
         let (topic, title) = (Topic::Member, format!("not checked: {}", n.parts.join(", ")));
         let (label, clause) = (n.label.clone(), "EN 1993-1-8:2005 2.4");
-        let undecided = Check::undecided(topic, label, clause, &title, n.why.clone());
         match n.binds {
-            true => undecided,
-            false => Check { status: Status::Warning, ..undecided },
+            true => Check::undecided(topic, label, clause, &title, n.why.clone(), n.step),
+            false => {
+                let noted = Check::assumption(topic, label, clause, &title, n.why.clone());
+                Check { status: Status::Warning, ..noted }
+            }
         }
     };
     e.not_checked.iter().map(check).collect()
@@ -42,11 +45,11 @@ pub(super) fn no_weld_strength(e: &EndPlate) -> Vec<Check> {
         .map(|(_, steel, part)| {
             let (clause, title) = ("EN 1993-1-8:2005 Table 4.1", "strength of fillet welds");
             let why = format!(
-                "Table 4.1 has no β_w for {}: its fillet welds have no strength by this code; a \
-                 row with β_w in a table of your own (catalog) gives them one",
+                "Table 4.1 has no β_w for {}: its fillet welds have no strength by this code",
                 steel.grade
             );
-            Check::undecided(Topic::Welds, part, clause, title, why)
+            let step = "butt welds, or a row with β_w in a table of your own (`catalog`)";
+            Check::undecided(Topic::Welds, part, clause, title, why, step)
         })
         .collect()
 }
@@ -75,12 +78,17 @@ pub(super) fn assumptions(e: &EndPlate) -> Vec<Check> {
     }
     let Some(c) = &e.column else { return out };
     let (clause, title) = ("EN 1993-1-8:2005 6.2.6.2(2)", "longitudinal stress of the column web");
-    let words = match c.longitudinal {
-        Some(stress) => {
-            format!("σ_com,Ed = {} from N_Ed and M_Ed of the column", Unit::Stress.show(stress))
-        }
-        None if columns(c) == 1 => {
+    let words = match ColumnForces::given(c) {
+        _ if corner(c).is_some() => {
             "σ_com,Ed from the equilibrium of the node with one column, in each load case".into()
+        }
+        Some(f) if c.moment.is_some() => {
+            let stress = Unit::Stress.show(f.longitudinal(c));
+            format!("σ_com,Ed = {stress} from N_Ed and M_Ed of the column")
+        }
+        Some(_) => {
+            "σ_com,Ed from N_Ed of the column and the whole moment of the node, in each load case"
+                .into()
         }
         None => "assumed: σ_com,Ed ≤ 0.7 f_y, k_wc = 1; members.column.N_Ed and M_Ed say more \
                  (k_wc falls to 0.7 at f_y)"

@@ -67,6 +67,7 @@ pub(super) fn beam(e: &EndPlate, a: &PlaneActions) -> Vec<Check> {
                 // a shear force beyond V_pl,Rd leaves no moment; its own check fails with a number
                 if check.utilisation.is_none() && !within(vz.abs(), beam.shear().value) {
                     check.status = Status::Undecided;
+                    check = check.decided_by("a beam with more shear resistance");
                 }
                 out.push(check);
             }
@@ -80,6 +81,7 @@ pub(super) fn beam(e: &EndPlate, a: &PlaneActions) -> Vec<Check> {
                     clause,
                     title,
                     fault.to_string(),
+                    fault.step(),
                 ));
             }
         }
@@ -179,7 +181,9 @@ fn twisted(
     let resistance = torsion_constant / thickest * shear;
     let worked = Worked::new(clause, title, resistance, Unit::Moment, formula);
     let undecided = |worked: Worked, demand: f64| {
-        worked.against(Topic::Member, subject, demand.abs(), Status::Undecided)
+        let step = "less torsion, a beam with a larger I_t, or a check of the torsion with \
+                    warping by another method";
+        worked.against(Topic::Member, subject, demand.abs(), Status::Undecided).decided_by(step)
     };
     let mut out = vec![undecided(worked, torsion)];
     let stress = torsion.abs() * thickest / torsion_constant;

@@ -1,7 +1,7 @@
 //! The column's own cross-section at the joint: axial force, shear and moment of the column above
 //! or below it.
 
-use super::column_forces::{CornerForces, columns, node_moment, of_case};
+use super::column_forces::{ColumnForces, Moment, columns, known};
 use crate::assembly::{ColumnSide, EndPlate};
 use crate::checks::check::{Check, Status, Topic, Unit, number as n, within};
 use crate::checks::eurocode::section::CrossSection;
@@ -12,77 +12,36 @@ const CLAUSE: &str = "EN 1993-1-1:2005 6.2.8 to 6.2.10";
 /// Subject of the checks.
 const SUBJECT: &str = "column";
 
-/// Forces of a column at the joint, with where they come from.
-struct Forces {
-    /// N, tension positive \[N\].
-    axial: f64,
-    /// |M| about the strong axis \[N mm\].
-    moment: f64,
-    /// |V| along the web \[N\].
-    shear: f64,
-    /// Where they come from, in words.
-    from: String,
-}
+/// Title of the check of the moment.
+const MOMENT: &str = "moment of the column with its shear and axial force";
 
-/// The column's section under the forces that the spec gives. They belong to no load case.
+/// The column's section under the forces that the spec gives, where no load case at the ultimate
+/// limit state has actions at a member end.
 pub(super) fn given(e: &EndPlate) -> Vec<Check> {
-    let Some(c) = &e.column else { return Vec::new() };
-    // at a corner the forces of each load case are known
-    let corner = columns(c) == 1 && !e.actions.is_empty();
-    if corner || (c.axial.is_none() && c.moment.is_none()) {
+    if e.actions.iter().any(|a| a.state.is_ultimate()) {
         return Vec::new();
     }
-    let (mut absent, mut named) = (Vec::new(), Vec::new());
-    for (name, given) in [("N_Ed", c.axial), ("M_Ed", c.moment)] {
-        if given.is_some() { &mut named } else { &mut absent }.push(name);
-    }
-    let mut from = format!("{} of the spec", named.join(" and "));
-    if let [absent] = absent[..] {
-        from += &format!(", which gives no {absent}: taken as 0");
-    }
-    let forces = Forces {
-        axial: c.axial.unwrap_or(0.0),
-        moment: c.moment.unwrap_or(0.0).abs(),
-        shear: c.shear.abs(),
-        from,
-    };
-    section(e, c, &forces)
+    let forces = e.column.as_ref().and_then(|c| Some((c, ColumnForces::given(c)?)));
+    forces.map_or_else(Vec::new, |(c, forces)| section(e, c, &forces))
 }
 
-/// The column's section under a load case: at a corner with the forces that follow from the
-/// equilibrium of the node; elsewhere, if the spec gives no forces, what is not known.
+/// The column's section under a load case, with the forces of the spec and those that follow from
+/// the equilibrium of the node; if the spec gives none and the column continues, what is not known.
 pub(super) fn under_load(e: &EndPlate, case: &str) -> Vec<Check> {
     let Some(c) = &e.column else { return Vec::new() };
-    if let Some(corner) = CornerForces::new(e, case) {
-        let at_node = Unit::Moment.show(corner.at_node);
-        let mut from =
-            format!("equilibrium of the node with one column, M = {at_node} at the node");
-        if c.axial.is_some() {
-            from += ", N_Ed of the spec";
-        }
-        let given = c.moment.unwrap_or(0.0).abs();
-        if !within(given, corner.moment) {
-            from += ", M_Ed of the spec";
-        }
-        let forces = Forces {
-            axial: c.axial.unwrap_or(corner.axial),
-            moment: corner.moment.max(given),
-            shear: corner.shear.max(c.shear.abs()),
-            from,
-        };
-        return section(e, c, &forces);
+    let forces = ColumnForces::of_case(e, c, case);
+    match known(c) {
+        true => section(e, c, &forces),
+        false if columns(c) == 2 => not_known(e, c, &forces).into_iter().collect(),
+        false => Vec::new(),
     }
-    if c.axial.is_some() || c.moment.is_some() {
-        return Vec::new();
-    }
-    not_known(e, c, case).into_iter().collect()
 }
 
 /// Axial force, shear and moment of the column against its section.
 ///
 /// # Source
 /// EN 1993-1-1:2005 6.2.3 to 6.2.6 and 6.2.8 to 6.2.10.
-fn section(e: &EndPlate, c: &ColumnSide, f: &Forces) -> Vec<Check> {
+fn section(e: &EndPlate, c: &ColumnSide, f: &ColumnForces) -> Vec<Check> {
     let column = cross_section(e, c);
     let of = |mut worked: Worked, title: &'static str, demand: f64| {
         worked.title = title;
@@ -99,19 +58,35 @@ fn section(e: &EndPlate, c: &ColumnSide, f: &Forces) -> Vec<Check> {
     if f.axial > 0.0 {
         out.push(of(net_tension(e, c), "tension of the column beside its holes", f.axial));
     }
-    let title = "moment of the column with its shear and axial force";
     out.push(match column.bending_6_2_10(f.shear, f.axial) {
         Ok(worked) => {
+            let resistance = worked.value;
             let worked = worked.with("N_Ed", f.axial, Unit::Force);
-            of(worked.with("V_Ed", f.shear, Unit::Force), title, f.moment)
+            let check = of(worked.with("V_Ed", f.shear, Unit::Force), MOMENT, f.moment);
+            as_far_as_known(check, f, resistance)
         }
         // class 4
         Err(fault) => {
             let why = format!("{}; {fault}", f.from);
-            Check::undecided(Topic::Member, SUBJECT, CLAUSE, title, why)
+            Check::undecided(Topic::Member, SUBJECT, CLAUSE, MOMENT, why, fault.step())
         }
     });
     out
+}
+
+/// The check of the moment. One that holds under the least moment is undecided if the given moment
+/// contradicts equilibrium, or if none is given and the whole moment of the node would not hold.
+fn as_far_as_known(mut check: Check, f: &ColumnForces, resistance: f64) -> Check {
+    let open = match f.known {
+        Moment::Known => false,
+        Moment::NotGiven { most } => !within(most, resistance),
+        Moment::Contradicts => true,
+    };
+    if open && check.status == Status::Ok {
+        check.status = Status::Undecided;
+    }
+    let least = Unit::Moment.show(f.moment);
+    check.decided_by(&format!("members.column.M_Ed of the frame analysis, at least {least}"))
 }
 
 fn cross_section(e: &EndPlate, c: &ColumnSide) -> CrossSection {
@@ -146,18 +121,20 @@ fn net_tension(e: &EndPlate, c: &ColumnSide) -> Worked {
 }
 
 /// What the beams bring into a column that continues both ways. Its share above and below is not
-/// known, so that nothing is checked.
-fn not_known(e: &EndPlate, c: &ColumnSide, case: &str) -> Option<Check> {
-    of_case(e, case).next().filter(|_| columns(c) == 2)?;
-    let moment = node_moment(e, case).abs();
+/// known, so that nothing is checked, unless the least share is too much already.
+fn not_known(e: &EndPlate, c: &ColumnSide, f: &ColumnForces) -> Option<Check> {
     let worked = cross_section(e, c).bending_6_2_10(0.0, 0.0).ok()?;
+    if !within(f.moment, worked.value) {
+        return section(e, c, f).pop();
+    }
     let title = "column beside the joint, not checked";
+    let most = if let Moment::NotGiven { most } = f.known { most } else { 0.0 };
     let formula = format!(
         "the column continues both ways, and the spec gives no N_Ed and M_Ed of it: its share of \
          the moment {} at the node is not known (one half would be {} of M_c,Rd); members.column \
          takes N_Ed, M_Ed and V_Ed",
-        Unit::Moment.show(moment),
-        n(0.5 * moment / worked.value)
+        Unit::Moment.show(most),
+        n(f.moment / worked.value)
     );
     Some(Check::assumption(Topic::Member, SUBJECT, CLAUSE, title, formula))
 }

@@ -1,11 +1,15 @@
-//! Forces of the column that follow from the equilibrium of the node.
+//! Forces of the column beside the joint: those of the spec, and what the equilibrium of the node
+//! says about them.
 //!
 //! Where the column ends on one side of the beam, the column on the other side carries everything
 //! that the beams bring. Where it continues both ways, the two columns share it in a proportion
-//! that the joint does not know.
+//! that the joint does not know: one of them has at least half of the moment.
 
 use crate::assembly::{ColumnSide, EndPlate, PlaneActions};
-use crate::checks::check::{Unit, balance, number as n};
+use crate::checks::check::{Unit, balance, number as n, within};
+
+/// A given moment that lacks no more than this part of what equilibrium asks for is rounded.
+const ROUNDED: f64 = 0.01;
 
 /// The one column at a corner of a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,9 +20,9 @@ pub(super) enum Corner {
     Above,
 }
 
-/// Forces of the one column at a corner.
+/// Forces of the one column at a corner, by equilibrium.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct CornerForces {
+struct CornerForces {
     /// Axial force, tension positive \[N\].
     pub axial: f64,
     /// Largest moment about the strong axis: at the node, or level with the beam flange beyond it
@@ -64,8 +68,8 @@ pub(super) fn node_moment(e: &EndPlate, case: &str) -> f64 {
 
 impl CornerForces {
     /// Forces of the column at a corner under a load case; `None` without a corner.
-    pub fn new(e: &EndPlate, case: &str) -> Option<Self> {
-        let corner = corner(e.column.as_ref()?)?;
+    fn new(e: &EndPlate, c: &ColumnSide, case: &str) -> Option<Self> {
+        let corner = corner(c)?;
         let lift = balance(of_case(e, case).map(|a| a.at(1.0)[0][2]));
         let (push, at_node) = (horizontal(of_case(e, case)), node_moment(e, case));
         // the column below is pressed by what weighs on the node, the one above pulled
@@ -78,6 +82,152 @@ impl CornerForces {
     }
 }
 
+/// What is known of the moment of the column.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Moment {
+    /// By equilibrium, or given in agreement with it.
+    Known,
+    /// Not given: equilibrium gives the least value.
+    NotGiven {
+        /// The whole moment of the node \[N mm\].
+        most: f64,
+    },
+    /// The given moment is less than equilibrium allows.
+    Contradicts,
+}
+
+/// Forces of the column beside the joint in a load case, with where they come from.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct ColumnForces {
+    /// Axial force, tension positive \[N\].
+    pub axial: f64,
+    /// Moment about the strong axis: the known one, or the least that equilibrium allows \[N mm\].
+    pub moment: f64,
+    /// What is known of it.
+    pub known: Moment,
+    /// Shear force along the web \[N\].
+    pub shear: f64,
+    /// Where they come from, in words.
+    pub from: String,
+}
+
+impl ColumnForces {
+    /// Forces of the spec, which belong to no load case; `None` if it gives neither N_Ed nor M_Ed.
+    pub fn given(c: &ColumnSide) -> Option<Self> {
+        let names: Vec<&str> = [("N_Ed", c.axial.is_some()), ("M_Ed", c.moment.is_some())]
+            .into_iter()
+            .filter_map(|(name, given)| given.then_some(name))
+            .collect();
+        let (axial, moment) = (c.axial.unwrap_or(0.0), c.moment.unwrap_or(0.0).abs());
+        let from = match names[..] {
+            [] => return None,
+            ["N_Ed"] => "N_Ed of the spec, no load case gives a moment".into(),
+            ["M_Ed"] => "M_Ed of the spec, which gives no N_Ed: taken as 0".into(),
+            _ => format!("{} of the spec", names.join(" and ")),
+        };
+        Some(Self { axial, moment, known: Moment::Known, shear: c.shear.abs(), from })
+    }
+
+    /// Forces under a load case.
+    pub fn of_case(e: &EndPlate, c: &ColumnSide, case: &str) -> Self {
+        match CornerForces::new(e, c, case) {
+            Some(corner) => Self::at_corner(c, &corner),
+            None => Self::continuing(e, c, case),
+        }
+    }
+
+    /// The one column at a corner: the larger of what equilibrium says and what the spec gives.
+    fn at_corner(c: &ColumnSide, corner: &CornerForces) -> Self {
+        let at_node = Unit::Moment.show(corner.at_node);
+        let mut from =
+            format!("equilibrium of the node with one column, M = {at_node} at the node");
+        let mut larger = |name: &str, given: Option<f64>, found: f64| match given {
+            Some(given) if !within(given.abs(), found.abs()) => {
+                from += &format!(", {name} of the spec");
+                given
+            }
+            _ => found,
+        };
+        let axial = larger("N_Ed", c.axial, corner.axial);
+        let moment = larger("M_Ed", c.moment.map(f64::abs), corner.moment);
+        let shear = corner.shear.max(c.shear.abs());
+        Self { axial, moment, known: Moment::Known, shear, from }
+    }
+
+    /// The columns above and below: together they have the moment of the node, so that the larger
+    /// one is at least half of it.
+    fn continuing(e: &EndPlate, c: &ColumnSide, case: &str) -> Self {
+        // a stub that ends both ways has nothing beside the joint
+        let bring = |whole: f64| if columns(c) == 2 { whole } else { 0.0 };
+        let node = bring(node_moment(e, case).abs());
+        let least = 0.5 * node;
+        let (known, words) = match c.moment.map(f64::abs) {
+            Some(given) if within((1.0 - ROUNDED) * least, given) => {
+                (Moment::Known, "M_Ed of the spec".to_owned())
+            }
+            Some(given) => {
+                let words = format!(
+                    "M_Ed = {} of the spec is less than half of the moment {} at the node, M ≥ {} \
+                     in the column above or below",
+                    Unit::Moment.show(given),
+                    Unit::Moment.show(node),
+                    Unit::Moment.show(least)
+                );
+                (Moment::Contradicts, words)
+            }
+            // without a moment at the node nothing is missing
+            None if node == 0.0 => (Moment::Known, "M = 0 at the node".to_owned()),
+            None => {
+                let words = format!(
+                    "the spec gives no M_Ed: half of the moment {} at the node is the least that \
+                     the column above or below has",
+                    Unit::Moment.show(node)
+                );
+                (Moment::NotGiven { most: node }, words)
+            }
+        };
+        // the two columns differ by what weighs on the node
+        let pressed = 0.5 * bring(balance(of_case(e, case).map(|a| a.at(1.0)[0][2])));
+        let (axial, of_axial) = match c.axial {
+            Some(given) if within(pressed.abs(), given.abs()) => (given, "N_Ed of the spec".into()),
+            _ => {
+                let least = Unit::Force.show(pressed);
+                (pressed, format!("N = {least} is half of what the beams bring, the least"))
+            }
+        };
+        Self {
+            axial,
+            moment: c.moment.map_or(0.0, f64::abs).max(least),
+            known,
+            shear: c.shear.abs(),
+            from: format!("{of_axial}, {words}"),
+        }
+    }
+
+    /// Largest longitudinal compressive stress at the root of the web, at most f_y \[MPa\]:
+    /// `σ = −N/A + |M| (h/2 − t_f − r)/I_y`, with the whole moment of the node where M_Ed is not
+    /// known.
+    pub fn longitudinal(&self, c: &ColumnSide) -> f64 {
+        let s = &c.section;
+        let root = 0.5 * s.h - s.tf - s.r;
+        let moment = match self.known {
+            Moment::NotGiven { most } => most,
+            Moment::Known => self.moment,
+            // half of the moment of the node is the least, `moment`
+            Moment::Contradicts => 2.0 * self.moment,
+        };
+        // the tables give cm² and cm⁴
+        let stress = -self.axial / (1e2 * s.area) + moment * root / (1e4 * s.i_y);
+        stress.clamp(0.0, c.steel.fy)
+    }
+}
+
+/// Whether the checks know something of the forces of the column: the spec gives N_Ed or M_Ed, or
+/// the column ends at the joint.
+pub(super) fn known(c: &ColumnSide) -> bool {
+    c.axial.is_some() || c.moment.is_some() || corner(c).is_some()
+}
+
 /// What the shear forces of the column take off that of the web panel, in the sense of a positive
 /// moment of a beam along +x.
 struct PanelRelief {
@@ -87,33 +237,28 @@ struct PanelRelief {
     title: &'static str,
 }
 
-impl CornerForces {
-    /// Largest longitudinal compressive stress at the root of the web, at most f_y \[MPa\].
-    pub fn longitudinal(&self, c: &ColumnSide) -> f64 {
-        let s = &c.section;
-        let root = 0.5 * s.h - s.tf - s.r;
-        // the tables give cm² and cm⁴
-        let stress = -self.axial / (1e2 * s.area) + self.moment * root / (1e4 * s.i_y);
-        stress.clamp(0.0, c.steel.fy)
-    }
-}
-
-/// Reduction of the shear force of the panel: from the spec, else from the one column at a corner,
-/// else zero.
+/// Reduction of the shear force of the panel: from the spec, from the one column at a corner, else
+/// zero. Where the spec contradicts equilibrium, the one with the larger `shear` of the panel.
 ///
 /// # Source
 /// EN 1993-1-8:2005 5.3(3).
-fn panel_relief(e: &EndPlate, case: &str) -> PanelRelief {
+fn panel_relief(e: &EndPlate, case: &str, shear: impl Fn(f64) -> f64) -> PanelRelief {
     const GIVEN: &str = "column web panel in shear";
     const NOT_GIVEN: &str = "column web panel in shear (column shear not given, V_Ed = 0)";
     const NODE: &str = "column web panel in shear (column shear by equilibrium of the node)";
     let half = 0.5 * horizontal(of_case(e, case));
-    let (value, title) = match e.column.as_ref().map(|c| (c.shear, corner(c))) {
-        Some((given, _)) if given != 0.0 => (given, GIVEN),
-        // the cut through the panel has the upper flanges of the beams on its free side
-        Some((_, Some(Corner::Below))) => (-half, NODE),
-        Some((_, Some(Corner::Above))) => (half, NODE),
-        _ => (0.0, NOT_GIVEN),
+    let column = e.column.as_ref();
+    // the cut through the panel has the upper flanges of the beams on its free side
+    let node = column.and_then(corner).map(|corner| match corner {
+        Corner::Below => -half,
+        Corner::Above => half,
+    });
+    let given = column.map(|c| c.shear).filter(|shear| *shear != 0.0);
+    let (value, title) = match (node, given) {
+        (Some(node), Some(given)) if within(shear(given), shear(node)) => (node, NODE),
+        (_, Some(given)) => (given, GIVEN),
+        (Some(node), None) => (node, NODE),
+        (None, None) => (0.0, NOT_GIVEN),
     };
     PanelRelief { value, title }
 }
@@ -136,9 +281,10 @@ impl PanelShear {
     /// EN 1993-1-8:2005 5.3(3), formula 5.3.
     pub fn new(e: &EndPlate, a: &PlaneActions, other: f64, lever: f64) -> Self {
         let own = a.at(1.0)[1][1];
-        let PanelRelief { value: relief, title } = panel_relief(e, &a.case);
         // V_Ed is positive against the shear of a positive moment at an end along +x
-        let demand = (a.outward * (own - other) / lever - relief).abs();
+        let shear = |relief: f64| (a.outward * (own - other) / lever - relief).abs();
+        let PanelRelief { value: relief, title } = panel_relief(e, &a.case, shear);
+        let demand = shear(relief);
         let none = relief == 0.0;
         let formula = format!(
             "V_wp,Ed = |(M_b1 − M_b2)/z_eq{}| = |({} − {})/{}{}| = {}",

@@ -2,6 +2,7 @@
 
 use super::bolt_checks::bolt_tension;
 use super::clamped_plates::WASHERS;
+use super::column_forces::ColumnForces;
 use super::doubler::{doubler_fault, doubler_width};
 use super::national_annex;
 use crate::assembly::EndPlate;
@@ -21,7 +22,7 @@ pub(super) fn component_joint(e: &EndPlate, beta: f64) -> EndPlateJoint {
             stiffener_throat: c.stiffener_throat,
             doublers: u32::from(counts),
             doubler_width: if counts { doubler_width(c) } else { 0.0 },
-            longitudinal: c.longitudinal.unwrap_or(0.0),
+            longitudinal: ColumnForces::given(c).map_or(0.0, |f| f.longitudinal(c)),
         }
     });
     EndPlateJoint {

@@ -18,7 +18,8 @@ pub(super) fn moment_and_axial(loaded: &LoadedEnd<'_>) -> Check {
         let (clause, title) = ("EN 1993-1-8:2005 6.2.7.1", MOMENT_AND_AXIAL);
         let why = "no plastic equilibrium of the rows with an axial force beyond 5 % of \
                    N_pl,Rd is covered";
-        return Check::undecided(Topic::ComponentMethod, end.subject(), clause, title, why);
+        let step = "a smaller axial force, or rows that the equilibrium covers";
+        return Check::undecided(Topic::ComponentMethod, end.subject(), clause, title, why, step);
     };
     check = check.with("M_j,Rd", method.moment, Unit::Moment);
     if let Some(e) = &method.equilibrium {
@@ -60,6 +61,7 @@ pub(super) fn stability(loaded: &LoadedEnd<'_>) -> Vec<Check> {
                 s.clause,
                 title,
                 s.why.clone(),
+                s.step,
             ));
             continue;
         };

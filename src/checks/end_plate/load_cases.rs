@@ -48,6 +48,7 @@ pub(super) fn checks(e: &EndPlate, out: &mut HandChecks) {
                     clause,
                     title,
                     fault.to_string(),
+                    fault.step(),
                 );
                 out.checks.extend(ultimate.then(|| check.of_case(&a.case)));
                 continue;
@@ -103,6 +104,8 @@ fn no_formula(a: &PlaneActions) -> Vec<Check> {
             "moment of the joint about the weak axis",
             "6.2 has no resistance of the joint to it: the rows would pull with one column of \
              bolts each, for which Tables 6.4 and 6.6 have no effective lengths",
+            "a detail that carries Mz beside the joint, or a check by another method; bounds of \
+             limit analysis do not replace this check",
         ),
         (
             "T",
@@ -110,13 +113,15 @@ fn no_formula(a: &PlaneActions) -> Vec<Check> {
             "torsion of the joint",
             "6.2 has no resistance of end plate and welds to it, and the restraint of warping at \
              the plate is not known",
+            "a detail that carries T beside the joint, or a check by another method; bounds of \
+             limit analysis do not replace this check",
         ),
     ];
     let acts = steps.into_iter().filter(|(_, moment, ..)| *moment != 0.0);
-    let check = |(name, moment, title, why)| {
+    let check = |(name, moment, title, why, step): (_, _, _, _, &str)| {
         let (clause, value) = ("EN 1993-1-8:2005 6.2", Unit::Moment.show(moment));
         let why = format!("{name} = {value}: {why}");
-        Check::undecided(Topic::Bolts, a.end.clone(), clause, title, why)
+        Check::undecided(Topic::Bolts, a.end.clone(), clause, title, why, step)
     };
     acts.map(check).collect()
 }
@@ -137,7 +142,8 @@ fn no_moment(end: &MemberEnd<'_>, moment: f64) -> Option<Check> {
         Unit::Force.show(vy.hypot(vz)),
         Unit::Moment.show(my.abs())
     );
-    let none = Check::undecided(Topic::ComponentMethod, end.subject(), clause, title, why);
+    let step = "a beam with more shear resistance, or less shear force";
+    let none = Check::undecided(Topic::ComponentMethod, end.subject(), clause, title, why, step);
     // beyond V_pl,Rd the check of the shear force fails, with its number
     let e = end.e;
     let area = Section::from(&e.beam).shear_area();

@@ -6,7 +6,7 @@
 //! exceeds its resistance: no demand is capped silently. Beside an axial force that counts, the
 //! rows have the forces of the plastic equilibrium (`component_method::equilibrium`).
 
-use super::column_forces::CornerForces;
+use super::column_forces::{ColumnForces, known};
 use super::comparison::Method;
 use super::component_joint::component_joint;
 use super::sense::Sense;
@@ -41,10 +41,8 @@ impl<'a> MemberEnd<'a> {
         let mut joint = component_joint(e, beta(e, a));
         let [[_, vy, vz], _] = a.at(1.0);
         joint.beam.shear = vz.hypot(vy);
-        if let (Some(c), Some(side)) = (&mut joint.column, &e.column)
-            && let (Some(corner), None) = (CornerForces::new(e, &a.case), side.longitudinal)
-        {
-            c.longitudinal = corner.longitudinal(side);
+        if let (Some(c), Some(side)) = (&mut joint.column, e.column.as_ref().filter(|c| known(c))) {
+            c.longitudinal = ColumnForces::of_case(e, side, &a.case).longitudinal(side);
         }
         let assessment = assess(&sense.of(&joint))?;
         Ok(Self { e, a, sense, joint, assessment })

@@ -62,8 +62,8 @@ fn parts(e: &EndPlate) -> Vec<Part<'_>> {
     out
 }
 
-fn undecided(topic: Topic, subject: &str, clause: &str, why: String) -> Check {
-    Check::undecided(topic, subject, clause, TITLE, why)
+fn undecided(topic: Topic, subject: &str, clause: &str, why: String, step: &str) -> Check {
+    Check::undecided(topic, subject, clause, TITLE, why, step)
 }
 
 /// Steels above S460, each once.
@@ -78,10 +78,11 @@ fn steels(parts: &[Part<'_>]) -> Vec<Check> {
     let check = |p: &Part<'_>| {
         let why = format!(
             "{} of {} is a steel above S460: EN 1993-1-12 has further rules for it, which are not \
-             in this edition; take a steel up to S460, or check the joint by EN 1993-1-12",
+             in this edition",
             p.name, p.steel.grade
         );
-        undecided(Topic::Detailing, p.name, "EN 1993-1-8:2005 1.1(1)", why)
+        let step = "a steel up to S460, or a check of the joint by EN 1993-1-12";
+        undecided(Topic::Detailing, p.name, "EN 1993-1-8:2005 1.1(1)", why, step)
     };
     strong.into_iter().map(check).collect()
 }
@@ -114,7 +115,8 @@ fn thicknesses(parts: &[Part<'_>]) -> Vec<Check> {
         } else {
             return None;
         };
-        Some(undecided(topic, p.name, clause, why))
+        let step = "a thicker part, or a check by EN 1993-1-3";
+        Some(undecided(topic, p.name, clause, why, step))
     };
     parts.iter().filter_map(check).collect()
 }
@@ -127,13 +129,14 @@ fn bolt_grade(e: &EndPlate) -> Option<Check> {
     (!known).then(|| {
         let why = format!(
             "f_yb = {} and f_ub = {} of {} lie outside the grades 4.6 to 10.9: Table 3.1 does not \
-             list them, and Table 3.4 has no α_v; take a grade of Table 3.1",
+             list them, and Table 3.4 has no α_v",
             Unit::Stress.show(g.fyb),
             Unit::Stress.show(g.fub),
             g.grade
         );
         let subject = format!("{} {}", e.bolt.size, g.grade);
-        undecided(Topic::Bolts, &subject, "EN 1993-1-8:2005 3.1.1(3), Table 3.1", why)
+        let clause = "EN 1993-1-8:2005 3.1.1(3), Table 3.1";
+        undecided(Topic::Bolts, &subject, clause, why, "a grade of Table 3.1")
     })
 }
 
@@ -142,12 +145,13 @@ fn holes(e: &EndPlate) -> Option<Check> {
     (Clearance::of(e) == Clearance::Beyond).then(|| {
         let why = format!(
             "d0 = {} is wider than an oversize hole of {} = {}: no bearing resistance \
-             (Table 3.4) and no k_s (Table 3.6); take a hole of at most that size",
+             (Table 3.4) and no k_s (Table 3.6)",
             Unit::Length.show(e.hole),
             e.bolt.size,
             Unit::Length.show(e.bolt.hole_oversize)
         );
         let clause = format!("{CLEARANCES}, EN 1993-1-8:2005 3.6.1(4)");
-        undecided(Topic::Detailing, "holes", &clause, why)
+        let step = "a hole of at most that size (`bolts.hole`)";
+        undecided(Topic::Detailing, "holes", &clause, why, step)
     })
 }

@@ -43,8 +43,8 @@ pub(super) fn slip(e: &EndPlate, a: &PlaneActions) -> Option<Check> {
     let bolts = 2.0 * e.rows.len() as f64;
     let Some(hole) = Clearance::of(e).slip() else {
         let why = "Table 3.6 has no k_s for holes wider than oversize";
-        let mut check =
-            Check::undecided(Topic::Bolts, &a.end, "EN 1993-1-8:2005 Table 3.6", title, why);
+        let (clause, step) = ("EN 1993-1-8:2005 Table 3.6", "smaller holes (`bolts.hole`)");
+        let mut check = Check::undecided(Topic::Bolts, &a.end, clause, title, why, step);
         if otherwise != Status::Failed {
             check.status = Status::Warning;
         }
@@ -78,7 +78,7 @@ pub(super) fn assembly(e: &EndPlate) -> Vec<Check> {
         )
         .information(Topic::Bolts, subject.clone());
         (check.resistance, check.status) = (None, Status::Undecided);
-        out.push(check);
+        out.push(check.decided_by("a load case with `state: SLS`"));
     }
     let Some(force) = e.preload else { return out };
     if e.bolt.system == "ISO 4014" {

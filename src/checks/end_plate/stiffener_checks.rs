@@ -119,8 +119,11 @@ fn compression(
     let check =
         worked.against(Topic::Member, loaded.place("compressed stiffeners"), force, Status::Failed);
     let part = s.resistance() / both;
-    let formula =
-        format!("F_Ed = F_c,Ed A_net f_y/(…) = {} · {}", Unit::Force.show(force), n(part));
+    let formula = format!(
+        "F_Ed = F_c,Ed A_net f_y/(A_net f_y + ω k_wc b_eff t_wc f_y) = {} · {}",
+        Unit::Force.show(force),
+        n(part)
+    );
     let level = loaded.end.sense.compressed();
     Some((check, Share { side: "compressed stiffeners", level, force: part * force, formula }))
 }

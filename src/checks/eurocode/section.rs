@@ -272,6 +272,7 @@ impl CrossSection {
                         n(slenderness.web)
                     ),
                     clause: "EN 1993-1-1:2005 5.5.2",
+                    step: "a section of class 1 to 3",
                 });
             }
         };

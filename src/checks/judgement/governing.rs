@@ -1,5 +1,6 @@
 //! The check or the bound that decides a verdict.
 
+use crate::checks::check::Check;
 use crate::math::figures::{Rounding, utilisation};
 use serde::{Deserialize, Serialize};
 
@@ -20,6 +21,16 @@ pub struct Governing {
 }
 
 impl Governing {
+    /// A check that governs.
+    pub(super) fn by_check(c: &Check) -> Self {
+        Self {
+            case: c.case.clone(),
+            what: format!("{}, {}", c.title, c.subject),
+            clause: c.clause.clone(),
+            utilisation: c.utilisation.map(|u| [u, u]),
+        }
+    }
+
     /// The governing check with its utilisation and clause.
     pub fn words(&self) -> String {
         let used = match self.utilisation {

@@ -2,6 +2,7 @@
 
 use super::analysed::Analysed;
 use super::governing::Governing;
+use crate::checks::check::{Check, DECIDED_BY};
 use crate::checks::verdict::{Route, Verdict};
 
 /// What would supply a missing lower bound.
@@ -15,10 +16,10 @@ const NARROW: &str = "narrower bounds by more meshes or time (`max_passes`, `tim
 /// What would give a lower bound its weight.
 const RULE: &str = "a thinner plate or stronger bolts, so that a rule of rotation capacity holds";
 
-/// The reason of the verdict on a load case.
+/// The reason of the verdict on a load case; `open`: the undecided check that governs.
 pub(super) fn sentence(
     a: &Analysed,
-    by_code: Verdict,
+    (by_code, open): (Verdict, Option<&Check>),
     (verdict, route): (Verdict, Option<Route>),
     governing: Option<&Governing>,
 ) -> String {
@@ -48,17 +49,14 @@ pub(super) fn sentence(
         (Verdict::NotOk, Verdict::NotOk, _) => format!("{case}: a check fails: {what}"),
         (Verdict::NotOk, ..) => format!("{case}: the load is above the upper bound: {what}"),
         (Verdict::Undecided, ..) => {
-            let step = match by_code {
-                Verdict::Undecided => format!("the code gives no resistance: {what}"),
-                _ => "no check of the code covers the load".into(),
-            };
-            let supply = match by_code {
-                Verdict::Undecided => {
-                    "a detail that its clause covers, see the undecided check for what it does not"
+            let (step, supply) = match open {
+                Some(check) => {
+                    let (why, supply) = check.open().unwrap_or((&check.formula, supply(a)));
+                    (format!("not decided by the code: {what}: {why}"), supply)
                 }
-                _ => supply(a),
+                None => ("no check of the code covers the load".into(), supply(a)),
             };
-            format!("{case}: {step}; {}; what would decide it: {supply}", state(a))
+            format!("{case}: {step}; {}; {DECIDED_BY}: {supply}", state(a))
         }
         (Verdict::None, ..) => {
             format!("{case}: a load case of serviceability, of which nothing is checked")

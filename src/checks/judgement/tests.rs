@@ -118,9 +118,10 @@ fn what_is_missing_is_named_with_what_would_supply_it() {
         assert!(words.iter().all(|w| line.contains(w)), "{line}");
     }
     let unknown =
-        Check::undecided(Topic::Stability, "panel", "6.2.6.1(1)", "slender", "69").of_case("A");
+        Check::undecided(Topic::Stability, "panel", "6.2.6.1(1)", "slender", "69", "a thick web")
+            .of_case("A");
     let line = of(std::slice::from_ref(&unknown), cut("A"));
-    for words in ["slender, panel (6.2.6.1(1))", "a detail that its clause covers", lacks] {
+    for words in ["slender, panel (6.2.6.1(1)): 69; ", "what would decide it: a thick web", lacks] {
         assert!(line.contains(words), "{line}");
     }
     let checks = [check(Topic::Bolts, 0.9, Some("A")), check(Topic::Bolts, 0.4, Some("B"))];
@@ -137,7 +138,8 @@ fn no_bracket_overrules_what_limit_analysis_does_not_know() {
     let over = [check(Topic::ComponentMethod, 1.05, Some("A"))];
     assert_eq!(verdicts(&over, &["A"], Fine), [NotOk, NotOk, Fine]);
     let unknown =
-        Check::undecided(Topic::Stability, "panel", "6.2.6.1(1)", "slender", "69").of_case("A");
+        Check::undecided(Topic::Stability, "panel", "6.2.6.1(1)", "slender", "69", "a web")
+            .of_case("A");
     assert_eq!(
         verdicts(std::slice::from_ref(&unknown), &["A"], Fine),
         [Undecided, Undecided, Fine]
@@ -148,7 +150,7 @@ fn no_bracket_overrules_what_limit_analysis_does_not_know() {
     );
     // a bracket does not replace the checks of a joint that the component method does not cover
     let missing =
-        Check::undecided(Topic::ComponentMethod, "rows", "Table 6.6", "rows", "two outside")
+        Check::undecided(Topic::ComponentMethod, "rows", "Table 6.6", "rows", "two outside", "one")
             .of_case("A");
     assert_eq!(verdicts(&[missing], &[], Fine), [Undecided, Undecided, Fine]);
     // a distance that is too small fails without a load
@@ -213,4 +215,15 @@ fn the_last_line_names_what_governs() {
         "{}",
         j.line(0, None)
     );
+}
+
+/// A strength without a load case governs like any other; a length that is kept never does.
+#[test]
+fn a_check_without_a_load_case_governs_where_it_is_used_most() {
+    let throat = ((Topic::Welds, "beam web"), ("4.5.2", "throat"));
+    let kept = Check::at_least(throat.0, throat.1, "a", (5.0, "5 mm"), 5.0, Status::Failed);
+    let checks = [check(Topic::Bolts, 0.6, Some("A")), check(Topic::Welds, 0.9, None), kept];
+    let j = judged(&checks, Analysed::not("A"));
+    let governing = j.governing.expect("one governs");
+    assert_eq!((governing.case, governing.utilisation), (None, Some([0.9, 0.9])));
 }

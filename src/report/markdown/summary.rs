@@ -19,7 +19,11 @@ pub(crate) fn table_of_checks(page: &mut String, result: &ResultFile) {
             false => cells,
         }
     };
-    paragraph(page, "Every check with a demand, the worst first; the governing one is bold:");
+    paragraph(
+        page,
+        "Every check with a demand, the worst first; the governing one is bold. Distances and throats \
+         that are kept measure no strength and come last:",
+    );
     let columns =
         strings(["case", "check", "required", "provided", "utilisation", "clause", "status"]);
     let rows = rows.into_iter().map(cells).collect();

@@ -1,0 +1,36 @@
+//! Values of a spec that have no effect beside its other values.
+
+use super::end_plate::EndPlate;
+use super::error::AssemblyError;
+use super::scope::{Given, Scope, path_of};
+use super::template::Template;
+use crate::spec::connection::ConnectionSpec;
+use std::collections::BTreeMap;
+
+/// Notes on the given parameters whose `used_if` is not true, and on the section `welds` of a joint
+/// without fillet welds.
+pub(super) fn notes(
+    spec: &ConnectionSpec,
+    template: &Template,
+    given: &BTreeMap<String, Given>,
+    scope: &Scope,
+    seen: Option<&EndPlate>,
+) -> Result<Vec<String>, AssemblyError> {
+    let mut out = Vec::new();
+    for p in &template.parameters {
+        let Some(condition) = &p.used_if else { continue };
+        let used = scope
+            .truth(condition)
+            .map_err(|cause| AssemblyError::Template { at: p.name.clone(), cause })?;
+        if !used && given.contains_key(&p.name) {
+            let (path, condition) = (path_of(&p.name), condition.text());
+            out.push(format!("`{path}` has no effect: it counts where `{condition}` is true"));
+        }
+    }
+    let fillets = |e: &EndPlate| e.flange_throat > 0.0 || e.web_throat > 0.0;
+    if !spec.welds.is_default() && !seen.is_some_and(fillets) {
+        let why = "neither flanges nor web of the beam have fillet welds";
+        out.push(format!("`welds` has no effect: {why}"));
+    }
+    Ok(out)
+}
