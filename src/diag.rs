@@ -231,35 +231,34 @@ impl Diagnostics {
     }
 }
 
-/// Fewest letters of a name cut short that are looked for in the full names.
-const LEAST_PART: usize = 4;
-
 /// `, did you mean "x"?` for the closest word of `known`; empty if none is close.
 pub fn did_you_mean<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> String {
-    let known: Vec<&str> = known.into_iter().collect();
     let lower = word.to_lowercase();
-    // a name cut short: the full ones
-    let whole = |k: &&&str| k.len() > word.len() && k.to_lowercase().contains(&lower);
-    let longer: Vec<String> = known.iter().filter(whole).map(|k| format!("`{k}`")).collect();
-    match &longer[..] {
-        _ if word.chars().count() < LEAST_PART => {}
-        [one] => return format!(", did you mean {one}?"),
-        [first @ .., last] if first.len() < 4 => {
-            return format!(", did you mean {} or {last}?", first.join(", "));
-        }
-        _ => {}
-    }
-    known
+    let letters = |k: &str| k.chars().count();
+    // of a short word something must stay
+    let near = |(d, k): &(usize, &str)| {
+        *d <= 1 + k.len().max(word.len()) / 4 && *d < letters(k).max(letters(word))
+    };
+    let mut found: Vec<(usize, &str)> = known
         .into_iter()
-        .map(|k| (strsim::damerau_levenshtein(&word.to_lowercase(), &k.to_lowercase()), k))
-        .min()
-        // of a short word something must stay
-        .filter(|(d, k)| {
-            *d <= 1 + k.len().max(word.len()) / 4
-                && *d < k.chars().count().max(word.chars().count())
-        })
-        .map(|(_, k)| format!(", did you mean `{k}`?"))
-        .unwrap_or_default()
+        .map(|k| (strsim::damerau_levenshtein(&lower, &k.to_lowercase()), k))
+        .filter(near)
+        .collect();
+    let least = found.iter().map(|f| f.0).min().unwrap_or(0);
+    found.retain(|f| f.0 == least);
+    // a name cut short: the full ones
+    let whole: Vec<String> = found
+        .iter()
+        .filter(|(d, k)| *d > 0 && k.to_lowercase().starts_with(&lower))
+        .map(|(_, k)| format!("`{k}`"))
+        .collect();
+    match &whole[..] {
+        [first @ .., last] if (1..4).contains(&first.len()) => {
+            format!(", did you mean {} or {last}?", first.join(", "))
+        }
+        [one] => format!(", did you mean {one}?"),
+        _ => found.iter().min().map_or_else(String::new, |f| format!(", did you mean `{}`?", f.1)),
+    }
 }
 
 /// A number of the user in a message: in powers of ten where it would have hundreds of digits.

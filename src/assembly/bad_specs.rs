@@ -238,9 +238,9 @@ const CASES: &[Case] = &[
     Case {
         old: "beam: {profile: IPE360, steel: S235}",
         new: "bean: {profile: IPE360, steel: S235}",
-        code: "spec/missing",
-        path: "members.beam",
-        words: &["`members.beam` is missing", "add `beam: …`"],
+        code: "spec/unknown-name",
+        path: "members.bean",
+        words: &["has no member `bean`, did you mean `beam`?", "column, beam"],
     },
     Case {
         old: "steel: S235}, beam",

@@ -27,6 +27,16 @@ pub(super) fn notes(
             out.push(format!("`{path}` has no effect: it counts where `{condition}` is true"));
         }
     }
+    let roles = template.hand_checks.as_ref().and_then(|h| Some((h.column.as_ref()?, &h.beam)));
+    let length = |role: &String| spec.members.get(role).and_then(|m| m.length);
+    if let Some((column, beam)) = roles
+        && length(column).is_some()
+        && length(beam).is_none()
+    {
+        out.push(format!(
+            "`members.{column}.length` has no effect: it counts beside `members.{beam}.length`"
+        ));
+    }
     let fillets = |e: &EndPlate| e.flange_throat > 0.0 || e.web_throat > 0.0;
     if !spec.welds.is_default() && !seen.is_some_and(fillets) {
         let why = "neither flanges nor web of the beam have fillet welds";

@@ -18,12 +18,11 @@ use crate::spec::connection::ConnectionSpec;
 use crate::spec::loads::{Action, LimitState, LoadSpec};
 use serde::{Deserialize, Serialize};
 
-/// Share of the member's own resistance up to which T, Mz and Vy are neglected, and N beside a
-/// larger share of My or Vz.
+/// Share of the member's own resistance up to which T, Mz and Vy are neglected. N is not: at the
+/// lever arm of the rows a part of it is a moment of a weak joint.
 ///
 /// # Source
-/// Stated by this program. EN 1993-1-8:2005 6.2.7.1(2) neglects N up to 5 % of N_pl,Rd beside a
-/// moment.
+/// Stated by this program.
 pub const SMALL: f64 = 0.01;
 
 /// Share of the largest share of a load case up to which any action is rounding.
@@ -100,10 +99,8 @@ impl Judged<'_> {
     /// case.
     fn small(&self, i: usize, k: usize, largest: f64) -> bool {
         let share = self.share(i, k);
-        let [bending, shear] = [self.share(1, 1), self.share(0, 2)];
         let limit = match ACTIONS[i][k] {
             Action::T | Action::Mz | Action::Vy => SMALL,
-            Action::N if share < bending.max(shear) => SMALL,
             Action::N | Action::Vz | Action::My => 0.0,
         };
         self.resistance.is_some() && share <= limit.max(ROUNDING * largest).max(NOTHING)
@@ -236,7 +233,7 @@ impl SmallActions {
         (!each.is_empty()).then(|| {
             format!(
                 "actions that are neglected, because they are small beside the member's own \
-                 resistance (up to 1 % for T, Mz, Vy, and for N beside a larger My or Vz; up to \
+                 resistance (up to 1 % for T, Mz, Vy; up to \
                  0.01 % of the largest share for any action), each with its largest value and \
                  share: {}",
                 each.join(", ")

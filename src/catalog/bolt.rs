@@ -209,15 +209,19 @@ impl BoltSize {
             v => Err((
                 column,
                 format!(
-                    "{v} contradicts d = {} mm: it lies between {:.1} and {:.1}",
+                    "{v} contradicts d = {} mm and its pitch {} mm: it lies between {:.1} and \
+                     {:.1}",
                     self.d,
+                    self.pitch,
                     least * shank,
                     most * shank
                 ),
             )),
         };
         near("A_mm2", self.area, 0.95, 1.05)?;
-        near("As_mm2", self.stress_area, 0.55, 0.95)?;
+        // the stress area of an ISO thread, ISO 898-1: π/4 (d − 0.9382 P)²
+        let thread = (1.0 - 0.9382 * self.pitch / self.d).max(0.0).powi(2);
+        near("As_mm2", self.stress_area, 0.95 * thread, 1.05 * thread)?;
         let wide = |column, value: f64, what: &str| {
             let most = 4.0 * self.d;
             let known = limits::at_most(value, most);

@@ -163,6 +163,13 @@ impl Steel {
                     row.fault("fu_t_le_40_MPa", format!("fu = {} is below fy = {}", b.fu, b.fy))
                 );
             }
+            if let [thin, thick] = bands[..]
+                && thick.fy > thin.fy
+            {
+                let problem =
+                    format!("{} is more than that of thinner parts, {}", thick.fy, thin.fy);
+                return Err(row.fault("fy_t_40_to_80_MPa", problem));
+            }
             steels.push(Self {
                 standard: row.text("standard")?,
                 grade: row.text("grade")?,
@@ -223,6 +230,9 @@ impl Steel {
                 "{} does not continue the band before, which ends at {end} mm",
                 band.over
             ));
+        }
+        if self.product_bands.last().is_some_and(|b| band.fy > b.fy) {
+            return Err(format!("fy = {} is more than that of thinner parts", band.fy));
         }
         self.product_bands.push(band);
         self.product_basis = Some(basis);

@@ -71,10 +71,18 @@ impl RawTable {
         if headers.len() > MOST_COLUMNS {
             return Err(too_large(1, "columns", MOST_COLUMNS));
         }
+        let lines: Vec<String> = text.lines().map(str::to_owned).collect();
+        let skipped = |line: usize| {
+            lines.get(line - 1).is_some_and(|l| l.starts_with('#') || l.trim().is_empty())
+        };
         let mut rows = Vec::new();
         for record in reader.records() {
             let record = record.map_err(fault)?;
-            let line = record.position().map_or(0, |p| p.line() as usize);
+            // the reader counts the comments before a record to it
+            let mut line = record.position().map_or(1, |p| p.line() as usize).max(1);
+            while skipped(line) {
+                line += 1;
+            }
             if rows.len() == MOST_ROWS {
                 return Err(too_large(line, "rows", MOST_ROWS));
             }
@@ -84,7 +92,6 @@ impl RawTable {
             .lines()
             .find_map(|l| l.strip_prefix('#')?.trim().strip_prefix("source:"))
             .map(|s| s.trim().to_owned());
-        let lines = text.lines().map(str::to_owned).collect();
         Ok(Self { file: file.to_owned(), headers, rows, lines, provenance })
     }
 

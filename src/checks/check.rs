@@ -171,6 +171,9 @@ pub struct Check {
     pub unit: Unit,
     /// Result.
     pub status: Status,
+    /// True for a recommendation, which decides nothing where it is not followed.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub advice: bool,
 }
 
 impl Check {
@@ -228,6 +231,7 @@ impl Check {
             utilisation: None,
             unit: Unit::Number,
             status: Status::Information,
+            advice: false,
         }
     }
 
@@ -283,6 +287,7 @@ impl Check {
             utilisation: None,
             unit: Unit::Length,
             status: Status::Ok,
+            advice: false,
         };
         check.judge(demand, resistance, otherwise);
         check
@@ -296,6 +301,7 @@ impl Check {
         self.resistance = number(resistance);
         // a utilisation needs a positive resistance
         self.utilisation = if resistance > 0.0 { number(demand / resistance) } else { None };
+        self.advice = otherwise == Status::Warning;
         let finite = self.demand.is_some() && self.resistance.is_some();
         self.status = if finite && within(demand, resistance) { Status::Ok } else { otherwise };
         if !finite {
@@ -306,6 +312,13 @@ impl Check {
     /// True for a length with its limit, which measures no strength: a distance, a throat.
     pub fn is_limit(&self) -> bool {
         self.unit == Unit::Length
+    }
+
+    /// True for a utilisation that decides: of a strength, no kept length, no recommendation, no
+    /// rule of stiffness or rotation.
+    pub fn measures_strength(&self) -> bool {
+        let decides = !matches!(self.topic, Topic::Stiffness | Topic::Ductility) && !self.advice;
+        decides && self.utilisation.is_some() && !self.is_limit()
     }
 
     /// The check with its load case.

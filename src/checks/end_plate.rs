@@ -86,6 +86,7 @@ pub fn hand_checks(e: &EndPlate) -> HandChecks {
     let service = e.actions.iter().filter(|a| !a.state.is_ultimate());
     out.serviceability.extend(service.map(|a| a.case.clone()));
     out.checks.extend(column_checks::given(e));
+    out.notes.extend(column_checks::beyond_the_column(e));
     load_cases::checks(e, &mut out);
     out.checks.sort_by_key(|c| c.topic);
     out

@@ -159,10 +159,11 @@ fn governing_check<'a>(binding: &[&'a Check], by_code: Verdict) -> Option<&'a Ch
         Verdict::Ok | Verdict::None => Status::Ok,
     };
     // a least distance that is kept does not describe the strength
-    let speaks = |c: &&&Check| {
-        c.status == status && (status != Status::Ok || (c.utilisation.is_some() && !c.is_limit()))
-    };
-    let used = |c: &Check| c.utilisation.unwrap_or(f64::INFINITY);
+    let speaks =
+        |c: &&&Check| c.status == status && (status != Status::Ok || c.measures_strength());
+    // a resistance of zero says less than the check whose number fails beside it
+    let without = if status == Status::Failed { 0.0 } else { f64::INFINITY };
+    let used = |c: &Check| c.utilisation.unwrap_or(without);
     let speaking = binding.iter().copied().filter(|c| speaks(&c));
     speaking.reduce(|a, b| if used(b) > used(a) { b } else { a })
 }

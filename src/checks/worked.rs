@@ -71,6 +71,7 @@ impl Worked {
             utilisation: None,
             unit: self.unit,
             status: Status::Information,
+            advice: false,
         }
     }
 

@@ -14,6 +14,9 @@ pub const LIMIT_ANALYSIS: &str = "limit analysis";
 /// Status of strength by the component method that is exceeded where a limit analysis decides.
 pub const EXCEEDED: &str = "exceeded, information";
 
+/// Status of a recommendation that is not followed.
+const NOT_FOLLOWED: &str = "warning";
+
 /// Colour of a word of judgement.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
@@ -92,7 +95,7 @@ pub fn summary_rows(result: &ResultFile) -> Vec<SummaryRow> {
     let alone = |c: &&Check| {
         let decides = match c.status {
             Status::Failed | Status::Undecided => true,
-            Status::Ok => c.utilisation.is_some(),
+            Status::Ok => c.measures_strength(),
             Status::Warning | Status::Information => false,
         };
         decides && c.case.is_none() && !c.is_limit()
@@ -110,7 +113,7 @@ pub fn summary_rows(result: &ResultFile) -> Vec<SummaryRow> {
     let rank = |r: &SummaryRow| match r.tone {
         Tone::Bad => 0,
         Tone::Open => 1,
-        Tone::Quiet if r.status == EXCEEDED => 2,
+        Tone::Quiet if r.status == EXCEEDED || r.status == NOT_FOLLOWED => 2,
         Tone::Good => 3,
         Tone::Quiet => 4,
     };
@@ -183,11 +186,14 @@ fn row(c: &Check) -> SummaryRow {
         _ => [show(c.demand), show(c.resistance)],
     };
     let decides = matches!(c.status, Status::Ok | Status::Failed | Status::Undecided)
-        && !matches!(c.topic, Topic::Stiffness | Topic::Ductility);
+        && !matches!(c.topic, Topic::Stiffness | Topic::Ductility)
+        && !c.advice;
     let (status, tone) = match (c.status, c.utilisation) {
         (Status::Failed, _) => ("FAILED", Tone::Bad),
         (Status::Undecided, _) => ("UNDECIDED", Tone::Open),
+        (Status::Ok, _) if c.advice => ("OK, information", Tone::Quiet),
         (Status::Ok, _) => ("OK", Tone::Good),
+        (Status::Warning, _) if c.advice => (NOT_FOLLOWED, Tone::Quiet),
         // a limit analysis decides the case
         (Status::Warning, _) => (EXCEEDED, Tone::Quiet),
         (Status::Information, Some(_)) => ("OK, information", Tone::Quiet),

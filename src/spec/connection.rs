@@ -159,8 +159,8 @@ pub struct MemberSpec {
     /// resistance (k_wc).
     #[serde(default, rename = "N_Ed", skip_serializing_if = "Option::is_none")]
     pub n_ed: Option<Force>,
-    /// Column: largest moment above or below the node about the strong axis (k_wc); at least half of
-    /// what the beams bring to the node.
+    /// Column: largest moment above or below the node about the strong axis (k_wc); at least half
+    /// of what the beams bring to the node.
     #[serde(default, rename = "M_Ed", skip_serializing_if = "Option::is_none")]
     pub m_ed: Option<Moment>,
     /// Column: what its shear forces take off that of the web panel, (V_c1 − V_c2)/2 of EN 1993-1-8

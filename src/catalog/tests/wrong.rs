@@ -170,6 +170,8 @@ fn values_that_no_part_can_have_are_refused() {
         (grade("640,9000,0.6,0.6"), "fub_MPa", "250 and 1700"),
         (grade("640,800,6,0.6"), "alpha_v_threads_in_shear_plane", "0.3 and 0.7"),
         (bolt(",245,", ",2450,"), "As_mm2", "must exceed"),
+        (bolt(",245,", ",298,"), "As_mm2", "contradicts d = 20 mm and its pitch 2.5 mm"),
+        (steel("235,360,460,550,210000,0.3,7850,0.9"), "fy_t_40_to_80_MPa", "thinner parts"),
         (bolt("314.2,245,", "3142,2450,"), "A_mm2", "contradicts d = 20 mm"),
         (format!("{FACTOR}\ngamma_M2,0.125,bolts,own\n"), "recommended_value", "0.5 and 3"),
         (format!("{CLASS}\nZ,5,blasted\n"), "slip_factor_mu", "between 0 and 1"),
@@ -193,4 +195,15 @@ fn values_that_no_part_can_have_are_refused() {
         let d = fault(&[("own.csv", &text)]);
         assert!(d.code == "catalog/bad-cell" && d.message.contains(column), "{}", d.message);
     }
+}
+
+/// Comments and empty lines above a row do not move the line that is named.
+#[test]
+fn comments_are_lines() {
+    let text = format!(
+        "{HEAD}# source: own\n\n{}",
+        profile_with("h_mm", "0").lines().last().expect("a row")
+    );
+    let d = fault(&[("own.csv", &text)]);
+    assert_eq!((d.code, d.place.line), ("catalog/bad-cell", Some(4)));
 }

@@ -182,8 +182,11 @@ pub fn assess(joint: &EndPlateJoint) -> Result<Assessment, CheckError> {
     let beam_moment = beam::bending_6_2_8(&beam.section, beam.fy, beam.shear, joint.gamma_m0);
     let panel = panel(joint, &rows).map(|p| (with_stiffeners(p.resistance(), joint), p));
     let (resistance, panel) = panel.unzip();
-    let limits = limits(joint, &rows, beam_moment.value, resistance.as_ref());
-    let stability = stability(joint, &rows, panel.as_ref());
+    // with β = 0 the moments bring no shear into the panel; the shear of the column still may
+    let sheared = joint.beta > 0.0;
+    let limiting = resistance.as_ref().filter(|_| sheared);
+    let limits = limits(joint, &rows, beam_moment.value, limiting);
+    let stability = stability(joint, &rows, panel.as_ref().filter(|_| sheared));
     let (mut left, mut least) = (f64::INFINITY, "");
     for l in &limits {
         if !within(left, l.worked.value) {
@@ -278,9 +281,9 @@ fn moment(rows: &[RowForce]) -> Worked {
     Worked::new("EN 1993-1-8:2005 6.2.7.2(1)", MOMENT_RESISTANCE, value, Unit::Moment, formula)
 }
 
-/// The column web panel; `None` without a column or where β = 0.
+/// The column web panel; `None` without a column.
 fn panel(joint: &EndPlateJoint, rows: &Rows<'_>) -> Option<ShearPanel> {
-    let c = joint.column.as_ref().filter(|_| joint.beta > 0.0)?;
+    let c = joint.column.as_ref()?;
     let s = &c.section;
     let stiffeners = match panel_stiffeners(joint) {
         Some([flange, stiffener, distance]) => {

@@ -166,7 +166,8 @@ impl RowSet {
         let found = assess(joint)?;
         let shear_area = Rows::new(joint)?.shear_area();
         let compression = Some(Compression::new(joint, found.beam_moment.value, shear_area));
-        let panel = found.panel.as_ref().map(|p| p.value / joint.beta);
+        let sheared = found.panel.as_ref().filter(|_| joint.beta > 0.0);
+        let panel = sheared.map(|p| p.value / joint.beta);
         let elastic = found.rows.iter().enumerate().map(|(r, row)| {
             elastic_limit(joint, &found.rows[..r], row.lever).map_or(f64::INFINITY, |l| l.0)
         });

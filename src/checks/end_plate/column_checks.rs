@@ -1,7 +1,7 @@
 //! The column's own cross-section at the joint: axial force, shear and moment of the column above
 //! or below it.
 
-use super::column_forces::{ColumnForces, Moment, columns, known};
+use super::column_forces::{ColumnForces, Moment, columns, known, unsupported};
 use crate::assembly::{ColumnSide, EndPlate};
 use crate::checks::check::{Check, Status, Topic, Unit, number as n, within};
 use crate::checks::eurocode::section::CrossSection;
@@ -31,10 +31,59 @@ pub(super) fn under_load(e: &EndPlate, case: &str) -> Vec<Check> {
     let Some(c) = &e.column else { return Vec::new() };
     let forces = ColumnForces::of_case(e, c, case);
     match known(c) {
+        _ if columns(c) == 0 => unsupported(e, c, case).map(no_support).into_iter().collect(),
         true => section(e, c, &forces),
-        false if columns(c) == 2 => not_known(e, c, &forces).into_iter().collect(),
-        false => Vec::new(),
+        false => shear(e, c, &forces).into_iter().chain(not_known(e, c, &forces)).collect(),
     }
+}
+
+/// A column that ends above and below has nothing that holds what the beams bring.
+fn no_support([push, lift, moment]: [f64; 3]) -> Check {
+    let why = format!(
+        "the column ends above and below the joint, and nothing carries what the beams leave at \
+         the node: {} across, {} along the column, M = {}",
+        Unit::Force.show(push.abs()),
+        Unit::Force.show(lift.abs()),
+        Unit::Moment.show(moment.abs())
+    );
+    let (clause, title) = ("EN 1993-1-8:2005 2.5(1)", "equilibrium of the node");
+    let step = "a column that continues (`column_ends_above` or `column_ends_below` false), or \
+                beams in balance";
+    Check::undecided(Topic::Member, SUBJECT, clause, title, why, step)
+}
+
+/// The shear force of the column against its section; `None` without one.
+fn shear(e: &EndPlate, c: &ColumnSide, f: &ColumnForces) -> Option<Check> {
+    let mut worked = cross_section(e, c).shear();
+    worked.title = "shear of the column";
+    worked.formula = format!("{}; {}", f.from, worked.formula);
+    (f.shear > 0.0).then(|| worked.against(Topic::Member, SUBJECT, f.shear, Status::Failed))
+}
+
+/// Note on forces of the spec that exceed the resistance of the column itself: most likely a wrong
+/// number or unit.
+pub(super) fn beyond_the_column(e: &EndPlate) -> Option<String> {
+    let c = e.column.as_ref()?;
+    let column = cross_section(e, c);
+    let plastic = column.section.w_pl * column.fy / column.gamma_m0;
+    let given = [
+        ("N_Ed", c.axial, column.axial().value, Unit::Force),
+        ("M_Ed", c.moment, plastic, Unit::Moment),
+        ("V_Ed", Some(c.shear), column.shear().value, Unit::Force),
+    ];
+    let beyond = given.into_iter().find_map(|(name, given, most, unit)| {
+        let given = given?.abs();
+        (!within(given, most)).then_some((name, given, most, unit))
+    });
+    let (name, given, most, unit) = beyond?;
+    Some(format!(
+        "members.column.{name} = {} is {} times the resistance {} of the column {}: check the \
+         number and its unit",
+        unit.show(given),
+        n(given / most),
+        unit.show(most),
+        c.section.name
+    ))
 }
 
 /// Axial force, shear and moment of the column against its section.
@@ -49,9 +98,7 @@ fn section(e: &EndPlate, c: &ColumnSide, f: &ColumnForces) -> Vec<Check> {
         worked.against(Topic::Member, SUBJECT, demand, Status::Failed)
     };
     let mut out = Vec::new();
-    if f.shear > 0.0 {
-        out.push(of(column.shear(), "shear of the column", f.shear));
-    }
+    out.extend(shear(e, c, f));
     if f.axial != 0.0 {
         out.push(of(column.axial(), "axial force of the column", f.axial.abs()));
     }
@@ -68,7 +115,11 @@ fn section(e: &EndPlate, c: &ColumnSide, f: &ColumnForces) -> Vec<Check> {
         // class 4
         Err(fault) => {
             let why = format!("{}; {fault}", f.from);
-            Check::undecided(Topic::Member, SUBJECT, CLAUSE, MOMENT, why, fault.step())
+            let step = match f.known {
+                Moment::Contradicts => format!("{}, and {}", fault.step(), more_moment(f)),
+                _ => fault.step().to_owned(),
+            };
+            Check::undecided(Topic::Member, SUBJECT, CLAUSE, MOMENT, why, &step)
         }
     });
     out
@@ -85,8 +136,13 @@ fn as_far_as_known(mut check: Check, f: &ColumnForces, resistance: f64) -> Check
     if open && check.status == Status::Ok {
         check.status = Status::Undecided;
     }
+    check.decided_by(&more_moment(f))
+}
+
+/// What supplies a missing or contradicted moment.
+fn more_moment(f: &ColumnForces) -> String {
     let least = Unit::Moment.show(f.moment);
-    check.decided_by(&format!("members.column.M_Ed of the frame analysis, at least {least}"))
+    format!("members.column.M_Ed of the frame analysis, at least {least}")
 }
 
 fn cross_section(e: &EndPlate, c: &ColumnSide) -> CrossSection {
@@ -125,6 +181,7 @@ fn net_tension(e: &EndPlate, c: &ColumnSide) -> Worked {
 fn not_known(e: &EndPlate, c: &ColumnSide, f: &ColumnForces) -> Option<Check> {
     let worked = cross_section(e, c).bending_6_2_10(0.0, 0.0).ok()?;
     if !within(f.moment, worked.value) {
+        // the last of the section's checks is that of the moment
         return section(e, c, f).pop();
     }
     let title = "column beside the joint, not checked";

@@ -150,7 +150,7 @@ impl ColumnForces {
         };
         let axial = larger("N_Ed", c.axial, corner.axial);
         let moment = larger("M_Ed", c.moment.map(f64::abs), corner.moment);
-        let shear = corner.shear.max(c.shear.abs());
+        let shear = larger("V_Ed", Some(c.shear.abs()), corner.shear);
         Self { axial, moment, known: Moment::Known, shear, from }
     }
 
@@ -187,6 +187,8 @@ impl ColumnForces {
             }
         };
         // the two columns differ by what weighs on the node
+        // V_Ed is the mean of the columns above and below, the push of the beams their difference
+        let push = bring(horizontal(of_case(e, case)).abs());
         let pressed = 0.5 * bring(balance(of_case(e, case).map(|a| a.at(1.0)[0][2])));
         let (axial, of_axial) = match c.axial {
             Some(given) if within(pressed.abs(), given.abs()) => (given, "N_Ed of the spec".into()),
@@ -199,7 +201,7 @@ impl ColumnForces {
             axial,
             moment: c.moment.map_or(0.0, f64::abs).max(least),
             known,
-            shear: c.shear.abs(),
+            shear: c.shear.abs() + 0.5 * push,
             from: format!("{of_axial}, {words}"),
         }
     }
@@ -222,8 +224,16 @@ impl ColumnForces {
     }
 }
 
-/// Whether the checks know something of the forces of the column: the spec gives N_Ed or M_Ed, or
-/// the column ends at the joint.
+/// What the beams leave at a node whose column ends above and below: horizontal and vertical force
+/// \[N\], moment \[N mm\]; `None` where they balance or the column continues.
+pub(super) fn unsupported(e: &EndPlate, c: &ColumnSide, case: &str) -> Option<[f64; 3]> {
+    let lift = balance(of_case(e, case).map(|a| a.at(1.0)[0][2]));
+    let left = [horizontal(of_case(e, case)), lift, node_moment(e, case)];
+    Some(left).filter(|left| columns(c) == 0 && left.iter().any(|x| *x != 0.0))
+}
+
+/// Whether the checks know something of N and M of the column: the spec gives N_Ed or M_Ed, or the
+/// column ends at the joint.
 pub(super) fn known(c: &ColumnSide) -> bool {
     c.axial.is_some() || c.moment.is_some() || corner(c).is_some()
 }

@@ -46,6 +46,33 @@ pub(super) fn moment_and_axial(loaded: &LoadedEnd<'_>) -> Check {
     check
 }
 
+/// A small axial force that the code leaves out beside the moment, where the plastic equilibrium of
+/// the rows does not carry both: a warning. `None` where it does, or where the force counts anyway.
+///
+/// # Source
+/// EN 1993-1-8:2005 6.2.7.1(2).
+pub(super) fn left_out_axial(loaded: &LoadedEnd<'_>) -> Option<Check> {
+    let (end, method) = (loaded.end, loaded.method);
+    let at = end.a.at(1.0);
+    let (axial, my) = (at[0][0], at[1][1]);
+    let equilibrium = method.equilibrium.as_ref().filter(|_| axial != 0.0)?;
+    if method.with_axial(at).is_some() {
+        return None;
+    }
+    let carried = equilibrium.at(axial, my).filter(|c| c.factor > 0.0)?;
+    let together = 1.0 / carried.factor;
+    let words = format!(
+        "1/α with α (M_j,Ed = {}, N_Ed = {}) the largest multiple in plastic equilibrium; \
+         6.2.7.1(2) leaves N_Ed ≤ 0.05 N_pl,Rd out; 1/α",
+        Unit::Moment.show(my),
+        Unit::Force.show(axial)
+    );
+    let title = "axial force that the code leaves out, in equilibrium";
+    let worked = Worked::new("EN 1993-1-8:2005 6.2.7.1(2)", title, together, Unit::Number, words);
+    let check = worked.utilised(Topic::ComponentMethod, end.subject(), Status::Warning);
+    (check.status == Status::Warning).then_some(check)
+}
+
 /// Components that may buckle: the compressed column web against its reduced resistance. Where the
 /// code gives no resistance the check is undecided.
 pub(super) fn stability(loaded: &LoadedEnd<'_>) -> Vec<Check> {
@@ -96,6 +123,10 @@ pub(super) fn panel(end: &MemberEnd<'_>) -> Option<Check> {
         }
     }
     let shear = PanelShear::new(end.e, end.a, other, end.assessment.stiffness.lever);
+    // equal moments of two beams, and no shear of the column
+    if end.joint.beta == 0.0 && shear.demand == 0.0 {
+        return None;
+    }
     let mut check = resistance;
     check.title = shear.title;
     check.formula = format!("{}; {}", shear.formula, check.formula);

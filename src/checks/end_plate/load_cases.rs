@@ -67,6 +67,7 @@ pub(super) fn checks(e: &EndPlate, out: &mut HandChecks) {
                 out.unstable.push(a.case.clone());
             }
             let mut found = vec![joint_checks::moment_and_axial(&loaded)];
+            found.extend(joint_checks::left_out_axial(&loaded));
             found.extend(stability);
             found.extend(BoltForces::new(&loaded).checks());
             found.extend(joint_checks::panel(&end));

@@ -151,7 +151,7 @@ fn holes(e: &EndPlate) -> Option<Check> {
             Unit::Length.show(e.bolt.hole_oversize)
         );
         let clause = format!("{CLEARANCES}, EN 1993-1-8:2005 3.6.1(4)");
-        let step = "a hole of at most that size (`bolts.hole`)";
+        let step = "a hole of at most that size (`parameters.hole_clearance`)";
         undecided(Topic::Detailing, "holes", &clause, why, step)
     })
 }

@@ -43,7 +43,8 @@ pub(super) fn slip(e: &EndPlate, a: &PlaneActions) -> Option<Check> {
     let bolts = 2.0 * e.rows.len() as f64;
     let Some(hole) = Clearance::of(e).slip() else {
         let why = "Table 3.6 has no k_s for holes wider than oversize";
-        let (clause, step) = ("EN 1993-1-8:2005 Table 3.6", "smaller holes (`bolts.hole`)");
+        let (clause, step) =
+            ("EN 1993-1-8:2005 Table 3.6", "smaller holes (`parameters.hole_clearance`)");
         let mut check = Check::undecided(Topic::Bolts, &a.end, clause, title, why, step);
         if otherwise != Status::Failed {
             check.status = Status::Warning;
@@ -59,6 +60,9 @@ pub(super) fn slip(e: &EndPlate, a: &PlaneActions) -> Option<Check> {
     }
     Some(worked.against(Topic::Bolts, a.end.clone(), shear / bolts, otherwise))
 }
+
+/// Slip factor of class A, EN 1993-1-8:2005 Table 3.7.
+const HIGHEST_CLASS: f64 = 0.5;
 
 /// Kind of the holes, preloaded assemblies, and the load cases that a category requires.
 pub(super) fn assembly(e: &EndPlate) -> Vec<Check> {
@@ -81,6 +85,14 @@ pub(super) fn assembly(e: &EndPlate) -> Vec<Check> {
         out.push(check.decided_by("a load case with `state: SLS`"));
     }
     let Some(force) = e.preload else { return out };
+    if e.category.is_some() && !within(e.mu, HIGHEST_CLASS) {
+        let title = "slip factor above class A: EN 1090-2 asks for a test of the surfaces";
+        let words = "μ of the spec; Table 3.7 has at most 0.5; μ";
+        let mut check = Worked::new("EN 1993-1-8:2005 Table 3.7", title, e.mu, Unit::Number, words)
+            .information(Topic::Bolts, subject.clone());
+        check.status = Status::Warning;
+        out.push(check);
+    }
     if e.bolt.system == "ISO 4014" {
         let title = "preloaded bolts are assemblies of EN 14399: take a size `HR …` or `HV …`";
         let words = format!("{} is of {}; F_p", e.bolt.size, e.bolt.standard);

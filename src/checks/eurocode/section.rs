@@ -233,7 +233,7 @@ impl CrossSection {
                 let part = if small {
                     1.0
                 } else if area > 0.0 {
-                    ((1.0 - normal / (area * fyd)) / (1.0 - 0.5 * a)).min(1.0)
+                    ((1.0 - normal / (area * fyd)) / (1.0 - 0.5 * a)).clamp(0.0, 1.0)
                 } else {
                     0.0
                 };
@@ -262,6 +262,7 @@ impl CrossSection {
                     n(s.area)
                 );
                 let left = (1.0 - rho) * fyd - normal / s.area;
+                let left = left.max(0.0);
                 ("EN 1993-1-1:2005 6.2.5, 6.2.8, 6.2.9.2", s.w_el * left, formula, left / fyd)
             }
             Class::Slender => {

@@ -52,7 +52,12 @@ pub(super) fn sentence(
             let (step, supply) = match open {
                 Some(check) => {
                     let (why, supply) = check.open().unwrap_or((&check.formula, supply(a)));
-                    (format!("not decided by the code: {what}: {why}"), supply)
+                    // a value with its derivation is in the check
+                    let why = match check.utilisation {
+                        Some(_) => String::new(),
+                        None => format!(": {why}"),
+                    };
+                    (format!("not decided by the code: {what}{why}"), supply)
                 }
                 None => ("no check of the code covers the load".into(), supply(a)),
             };

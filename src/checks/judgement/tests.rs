@@ -226,4 +226,10 @@ fn a_check_without_a_load_case_governs_where_it_is_used_most() {
     let j = judged(&checks, Analysed::not("A"));
     let governing = j.governing.expect("one governs");
     assert_eq!((governing.case, governing.utilisation), (None, Some([0.9, 0.9])));
+    // a recommendation that is followed never governs
+    let advice = Worked::new("6.2.3(5)", "overstrength", 1.0, Unit::Number, "u");
+    let advice = advice.utilised(Topic::Welds, "weld", Status::Warning);
+    let checks = [check(Topic::Bolts, 0.6, Some("A")), advice];
+    let governing = judged(&checks, Analysed::not("A")).governing.expect("one governs");
+    assert_eq!(governing.utilisation, Some([0.6, 0.6]));
 }

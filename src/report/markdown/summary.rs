@@ -21,8 +21,8 @@ pub(crate) fn table_of_checks(page: &mut String, result: &ResultFile) {
     };
     paragraph(
         page,
-        "Every check with a demand, the worst first; the governing one is bold. Distances and throats \
-         that are kept measure no strength and come last:",
+        "Every check with a demand, the worst first; the governing one is bold. Distances and \
+         throats that are kept measure no strength and come last:",
     );
     let columns =
         strings(["case", "check", "required", "provided", "utilisation", "clause", "status"]);
@@ -45,11 +45,13 @@ mod tests {
                 .utilised(topic, "row", otherwise)
                 .of_case("ULS1")
         };
+        // beside a limit analysis
+        let exceeded = |check: Check, status| Check { status, ..check };
         let mut result = ResultFile::new("", 1, Verdict::NotOk);
         result.checks = vec![
             check(Topic::Bolts, 0.7, Status::Failed),
             check(Topic::Bolts, 0.9, Status::Failed),
-            check(Topic::ComponentMethod, 1.3, Status::Warning),
+            exceeded(check(Topic::ComponentMethod, 1.3, Status::Failed), Status::Warning),
         ];
         let mut page = String::new();
         table_of_checks(&mut page, &result);
@@ -85,8 +87,8 @@ mod tests {
         table_of_checks(&mut page, &result);
         assert!(page.contains("**ULS2**") && page.contains("**FAILED**"), "{page}");
         // information that is satisfied is reported with the same word as other checks
-        let held = check(Topic::ComponentMethod, 0.5, Status::Warning);
-        result.checks.push(Check { status: Status::Information, ..held });
+        let held = check(Topic::ComponentMethod, 0.5, Status::Failed);
+        result.checks.push(exceeded(held, Status::Information));
         let mut page = String::new();
         table_of_checks(&mut page, &result);
         assert!(page.contains("OK, information") && !page.contains("holds"), "{page}");

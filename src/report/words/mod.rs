@@ -114,13 +114,22 @@ impl Words {
         if within("`").is_some() {
             return (text.into(), true);
         }
+        // `**Welds.** Where …`
+        let led = text.strip_prefix("**").and_then(|t| t.split_once("** "));
+        if let Some((lead, rest)) = led {
+            let (lead, known) = self.translated(lead, dictionary);
+            let (rest, complete) = self.translated(rest, dictionary);
+            return (format!("**{lead}** {rest}"), known && complete);
+        }
         if let Some(inner) = within("**") {
             let (said, complete) = self.translated(inner, dictionary);
             return (format!("**{said}**"), complete);
         }
-        if let Some(sentence) = text.strip_suffix('.') {
-            let (said, complete) = self.translated(sentence, dictionary);
-            return (said + ".", complete);
+        for end in [".", ":"] {
+            if let Some(sentence) = text.strip_suffix(end) {
+                let (said, complete) = self.translated(sentence, dictionary);
+                return (said + end, complete);
+            }
         }
         for between in [". ", "; ", ": ", ", "] {
             let open = |at: &usize| gaps::balanced(&text[..*at]);
