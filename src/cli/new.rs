@@ -316,8 +316,9 @@ pub fn starter(
         "\n# welds: {ends: returned, bearing_in_contact: false}  # fillet welds: returned at the \
          tips of the flanges, open or all_round; true: compression goes through the contact of \
          beam and plate\n\nfriction:\n  mu: 0  # friction coefficient of all contact \
-         surfaces, 0 to 2, 0 is on the safe side; or `class: C` (A, B, C, D of EN 1090-2)\n  # law: coulomb  # no dilation, \
-         by a fixed point; associated: slip dilates, both bounds are strict for this law\n\n",
+         surfaces, 0 to 2, 0 is on the safe side; or `class: C` (A, B, C, D of EN 1090-2)\n  # \
+         law: coulomb  # no dilation, by a fixed point; associated: slip dilates, both bounds are \
+         strict for this law\n\n",
     );
     let sections: Vec<&str> = template.sections.iter().map(|s| s.name.as_str()).collect();
     if !sections.is_empty() {

@@ -233,7 +233,8 @@ fn the_shear_of_the_column_loads_the_panel_between_equal_moments() {
     };
     let answer = double(", V_Ed: 330 kN", &both(40.0));
     assert_eq!((answer.code, answer.verdict()), (1, "not_ok"), "{}", answer.said);
-    let panel = answer.titled("column web panel in shear");
+    let mut panel = answer.titled("column web panel in shear");
+    panel.retain(|c| c["case"] == "U");
     assert_eq!(panel.len(), 1, "{panel:?}");
     near(1e-3 * panel[0]["demand"].as_f64().expect("a number"), 330.0);
     // without it nothing shears the panel

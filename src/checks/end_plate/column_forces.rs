@@ -292,7 +292,8 @@ impl PanelShear {
     pub fn new(e: &EndPlate, a: &PlaneActions, other: f64, lever: f64) -> Self {
         let own = a.at(1.0)[1][1];
         // V_Ed is positive against the shear of a positive moment at an end along +x
-        let shear = |relief: f64| (a.outward * (own - other) / lever - relief).abs();
+        let moments = a.outward * balance([own, -other]);
+        let shear = |relief: f64| (moments / lever - relief).abs();
         let PanelRelief { value: relief, title } = panel_relief(e, &a.case, shear);
         let demand = shear(relief);
         let none = relief == 0.0;

@@ -116,7 +116,7 @@ impl Words {
         }
         // `**Welds.** Where …`
         let led = text.strip_prefix("**").and_then(|t| t.split_once("** "));
-        if let Some((lead, rest)) = led {
+        if let Some((lead, rest)) = led.filter(|(lead, _)| lead.ends_with('.')) {
             let (lead, known) = self.translated(lead, dictionary);
             let (rest, complete) = self.translated(rest, dictionary);
             return (format!("**{lead}** {rest}"), known && complete);

@@ -46,6 +46,10 @@ fn texts_are_translated_whole_or_in_parts_and_names_stay() {
     assert_eq!(words.say("Checks"), "Nachweise");
     assert_eq!(words.say("load factor 1.20"), "Lastfaktor 1.20");
     assert_eq!(words.say("end plate, row at z = 105 mm"), "Stirnplatte, Reihe bei z = 105 mm");
+    assert_eq!(
+        words.say("**Detailing.** Minimum distances decide the verdict."),
+        "**Konstruktive Regeln.** Mindestabstände entscheiden das Urteil."
+    );
     assert_eq!(words.say("**Checks fail**:"), "**Nachweise sind nicht erfüllt**:");
     assert_eq!(
         words.say("end plate, row at z = 90 mm, tension capped at F_t,Rd"),
