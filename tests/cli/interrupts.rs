@@ -2,10 +2,11 @@
 
 use crate::bench::{Bench, JOINT};
 use crate::{expect, mesh, mesh_of, opening};
-use nix::sys::signal::{Signal, kill};
+use nix::sys::signal::{SigHandler, Signal, kill, signal};
 use nix::unistd::Pid;
 use serde_json::Value;
 use std::io::{BufRead, BufReader, Read};
+use std::os::unix::process::CommandExt;
 use std::process::{Child, ChildStderr, Command, ExitStatus, Stdio};
 use std::time::{Duration, Instant};
 
@@ -24,6 +25,9 @@ struct Running {
 
 impl Running {
     fn start(command: &mut Command) -> Self {
+        let default = || Ok(unsafe { signal(Signal::SIGHUP, SigHandler::SigDfl) }.map(drop)?);
+        // tests that run under `nohup` ignore SIGHUP, and their children would inherit that
+        let command = unsafe { command.pre_exec(default) };
         let mut child =
             command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("starts");
         let err = BufReader::new(child.stderr.take().expect("piped"));
