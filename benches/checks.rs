@@ -8,7 +8,7 @@ use bracket::catalog::Catalog;
 use bracket::checks::end_plate::moment_axial;
 use bracket::checks::{Analysed, hand_checks, judge};
 use bracket::spec::connection::ConnectionSpec;
-use bracket::spec::yaml;
+use bracket::yaml;
 use std::hint::black_box;
 use std::path::Path;
 use std::time::{Duration, Instant};

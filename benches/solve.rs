@@ -7,14 +7,15 @@
 
 use bracket::elements::hencky_kinematic::Flow;
 use bracket::mesh::gmsh::Mesher;
-use bracket::mesh::joint::{MeshOptions, mesh_joint};
+use bracket::meshing::joint::{MeshOptions, mesh_joint};
+use bracket::model::AnalysisKind;
+use bracket::model::AnalysisModel;
 use bracket::model::resolve::resolve;
-use bracket::model::{AnalysisModel, from_joint};
+use bracket::model_file;
 use bracket::programs::conic::ConicProgram;
 use bracket::programs::{Kinematic, Static};
 use bracket::solve;
 use bracket::solve::{SolveOptions, Solver};
-use bracket::spec::analysis::AnalysisKind;
 use std::path::Path;
 use std::time::Instant;
 
@@ -85,9 +86,9 @@ fn model_of_spec(path: &Path, factor: f64) -> AnalysisModel {
     let assembly = &input.joint.assembly;
     let meshed = mesh_joint(assembly, &options, &mut |_| {}).expect("the joint can be meshed");
     std::fs::remove_dir_all(&folder).expect("the folder is ours");
-    let case = &from_joint::cases(assembly)[0];
+    let case = &model_file::cases(assembly)[0];
     let kind = AnalysisKind::Elastic;
-    let file = from_joint::model_file(
+    let file = model_file::model_file(
         assembly,
         &meshed.mesh,
         &meshed.symmetry_used,

@@ -50,7 +50,7 @@ for component in fmt clippy; do
         rustup component add "$package" >&2 2>/dev/null || not_run="$not_run cargo-$component"
     fi
 done
-case $not_run in *fmt*) ;; *) step cargo fmt --check ;; esac
+case $not_run in *fmt*) ;; *) step cargo fmt --all --check ;; esac
 case $not_run in *clippy*) ;; *) step cargo clippy --release --all-targets --locked -- -D warnings ;; esac
 
 # builds the program too

@@ -8,27 +8,15 @@
 //! Units everywhere: mm, N, MPa, N mm, rad. Symmetric tensors in Mandel form
 //! `[xx, yy, zz, √2 yz, √2 xz, √2 xy]`.
 
-pub mod analysis;
-pub mod assembly;
 pub mod batch;
-pub mod catalog;
-pub mod certify;
-pub mod checks;
 pub mod cli;
-pub mod diag;
-pub mod diag_render;
 pub mod driver;
-pub mod elements;
-pub mod geometry;
-pub mod math;
-pub mod mesh;
-pub mod model;
-pub mod programs;
-pub mod recover;
-pub mod refine;
-pub mod report;
-pub mod result;
-pub mod solve;
-pub mod spec;
-pub mod text_file;
-pub mod units;
+
+pub use bracket_base::{diag, diag_render, math, text_file, units, yaml};
+pub use bracket_codes as checks;
+pub use bracket_engine::{
+    analysis, certify, elements, mesh, model, programs, recover, refine, solve,
+};
+pub use bracket_joint::{assembly, catalog, geometry, meshing, model_file, spec};
+pub use bracket_report as report;
+pub use bracket_report::result;

@@ -136,7 +136,7 @@ fn written(file: &str, source: &str, found: &mut BTreeMap<String, Vec<Written>>)
 /// The names that serde can write into `result.json`, each with the type it belongs to.
 fn names_of_the_source() -> BTreeMap<String, String> {
     let mut all = BTreeMap::new();
-    for file in files("src", ".rs") {
+    for file in ["src", "crates"].iter().flat_map(|f| files(f, ".rs")) {
         written(&file, &read(&file), &mut all);
     }
     assert!(all.contains_key(RESULT_TYPE), "no type {RESULT_TYPE}: has result.json another root?");

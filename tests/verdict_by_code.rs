@@ -10,7 +10,7 @@ use bracket::catalog::{Catalog, IProfile};
 use bracket::checks::verdict::{Route, Verdict};
 use bracket::checks::{Analysed, Check, HandChecks, Judgement, Status, Topic, hand_checks, judge};
 use bracket::spec::connection::ConnectionSpec;
-use bracket::spec::yaml;
+use bracket::yaml;
 use numbers::Numbers;
 use std::path::Path;
 

@@ -41,13 +41,14 @@ use bracket::elements::tet10;
 use bracket::math::mandel;
 use bracket::math::quadrature::tetrahedron_mass;
 use bracket::mesh::TetMesh;
-use bracket::mesh::joint::{MeshOptions, mesh_joint};
+use bracket::meshing::joint::{MeshOptions, mesh_joint};
+use bracket::model::AnalysisKind;
+use bracket::model::AnalysisModel;
 use bracket::model::file::Bounds;
 use bracket::model::resolve::resolve;
-use bracket::model::{AnalysisModel, from_joint};
+use bracket::model_file;
 use bracket::programs::Static;
 use bracket::solve::SolveOptions;
-use bracket::spec::analysis::AnalysisKind;
 use common::grid::{Grid, even, joined, name};
 use common::solved;
 use std::collections::BTreeMap;
@@ -307,7 +308,7 @@ fn more_planes(p: &mut Part) {
     }
 }
 
-fn meshed(assembly: &Assembly, o: &Options) -> bracket::mesh::joint::JointMesh {
+fn meshed(assembly: &Assembly, o: &Options) -> bracket::meshing::joint::JointMesh {
     let folder = tempfile::tempdir().unwrap();
     let mut options = MeshOptions::new(folder.path());
     options.layers = o.layers != Some(1);
@@ -325,8 +326,8 @@ fn joint(path: &Path, o: &Options) -> AnalysisModel {
     let input = bracket::driver::spec_file::read(path, None).expect("the spec is sound");
     let assembly = &input.joint.assembly;
     let meshed = meshed(assembly, o);
-    let case = &from_joint::cases(assembly)[0];
-    let file = from_joint::model_file(
+    let case = &model_file::cases(assembly)[0];
+    let file = model_file::model_file(
         assembly,
         &meshed.mesh,
         &meshed.symmetry_used,

@@ -10,7 +10,7 @@ use bracket::model::file::ModelFile;
 use bracket::model::resolve::resolve;
 use bracket::result::fields::vtu::VtuGrid;
 use bracket::spec::expr::{Expr, Value};
-use bracket::spec::yaml;
+use bracket::yaml;
 use bracket::units::{Dim, Quantity};
 use std::path::Path;
 

@@ -12,7 +12,7 @@ use super::screen::Kit;
 use super::sweep::Choose;
 use super::sweep_folder::SweepFolder;
 use super::worker::{Job, ProcessLimits, analyse, found};
-use crate::diag::{Diagnostic, Diagnostics};
+use bracket_base::diag::{Diagnostic, Diagnostics};
 use std::collections::{BTreeSet, VecDeque};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};

@@ -2,10 +2,10 @@
 
 use super::dimension::{Dimension, Setting};
 use super::spec_path::SpecPath;
-use crate::catalog::{Catalog, IProfile};
-use crate::diag::{Diagnostic, Place};
-use crate::spec::yaml::PlaceIndex;
-use crate::units::plain_minus;
+use bracket_base::diag::{Diagnostic, Place};
+use bracket_base::units::plain_minus;
+use bracket_base::yaml::PlaceIndex;
+use bracket_joint::catalog::{Catalog, IProfile};
 use serde_json::{Map, Number, Value};
 
 /// Most values of one axis; a range with a tiny step is a slip of the pen.
@@ -108,7 +108,7 @@ fn profiles(range: &str, catalog: &Catalog) -> Result<Vec<Value>, String> {
 fn numbers(range: &Map<String, Value>) -> Result<Vec<Value>, String> {
     let keys = ["from", "to", "step"];
     if let Some(other) = range.keys().find(|k| !keys.contains(&k.as_str())) {
-        let hint = crate::diag::did_you_mean(other, keys);
+        let hint = bracket_base::diag::did_you_mean(other, keys);
         return Err(format!("unknown key `{other}` in a range{hint}"));
     }
     let read = |key: &str| match range.get(key) {

@@ -4,8 +4,8 @@ use super::row::{Outcome, Record};
 use super::sweep_folder::{SweepFolder, copy_folder};
 use super::work_folder::{clear_work, own, work_folder};
 use super::worker::{Job, RESULT, found, keep};
-use crate::diag::Diagnostic;
-use crate::report::console::log::Log;
+use bracket_base::diag::Diagnostic;
+use bracket_report::console::log::Log;
 use std::path::Path;
 
 /// A cache: the folder `cases` in it holds result folders by key.

@@ -9,11 +9,11 @@ use super::plan::Plan;
 use super::row::{LoadRow, Outcome, Record};
 use super::screen::Kit;
 use super::sweep::CapacityTable;
-use crate::checks::verdict::Verdict;
-use crate::report::figures::{Rounding, fixed};
-use crate::report::markdown::markup::inline;
-use crate::spec::connection::ConnectionSpec;
-use crate::spec::loads::Action;
+use bracket_codes::verdict::Verdict;
+use bracket_joint::spec::connection::ConnectionSpec;
+use bracket_joint::spec::loads::Action;
+use bracket_report::figures::{Rounding, fixed};
+use bracket_report::markdown::markup::inline;
 
 /// A cell: capacities in kN or kN m.
 #[derive(Clone, Debug, Default, PartialEq)]

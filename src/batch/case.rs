@@ -1,7 +1,7 @@
 //! A case of a sweep: its place in the expansion, its name and its key.
 
-use crate::assembly::LoadedTemplate;
-use crate::spec::connection::{ConnectionSpec, Project};
+use bracket_joint::assembly::LoadedTemplate;
+use bracket_joint::spec::connection::{ConnectionSpec, Project};
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 
@@ -49,6 +49,6 @@ pub fn own_tables(folder: Option<&Path>) -> String {
     let mut files: Vec<PathBuf> = entries.flatten().map(|e| e.path()).collect();
     files.retain(|f| f.extension().is_some_and(|e| e.eq_ignore_ascii_case("csv")));
     files.sort();
-    let texts = files.iter().filter_map(|f| crate::text_file::bytes(f).ok());
+    let texts = files.iter().filter_map(|f| bracket_base::text_file::bytes(f).ok());
     texts.map(|bytes| blake3::hash(&bytes).to_hex().to_string()).collect()
 }

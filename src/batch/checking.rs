@@ -6,7 +6,7 @@ use super::plan::Plan;
 use super::row::Record;
 use super::screen::{Kit, screen};
 use super::sweep_folder::SweepFolder;
-use crate::diag::Diagnostic;
+use bracket_base::diag::Diagnostic;
 use rayon::prelude::*;
 use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicBool, Ordering};

@@ -9,11 +9,11 @@ use super::plan::{Header, Plan};
 use super::row::{Outcome, Record};
 use super::screen::Kit;
 use super::sweep::Choose;
-use crate::assembly::names;
-use crate::assembly::scope::Scope;
-use crate::diag::{Diagnostic, did_you_mean};
-use crate::spec::expr::{Expr, ExprError, Value};
-use crate::units::Dim;
+use bracket_base::diag::{Diagnostic, did_you_mean};
+use bracket_base::units::Dim;
+use bracket_joint::assembly::names;
+use bracket_joint::assembly::scope::Scope;
+use bracket_joint::spec::expr::{Expr, ExprError, Value};
 use std::collections::{BTreeSet, HashMap};
 
 /// Names of [`Choose::least`] that come from the record of a case.

@@ -5,8 +5,8 @@ use super::merged::Merged;
 use super::plan::Plan;
 use super::results_table::finite;
 use super::row::{LoadRow, Record};
-use crate::math::figures::{Rounding, fixed, utilisation};
-use crate::report::markdown::markup::inline;
+use bracket_base::math::figures::{Rounding, fixed, utilisation};
+use bracket_report::markdown::markup::inline;
 use serde_json::{Map, Value, json};
 
 /// The rows of the chosen joints: names of columns with their values; null where there is none.

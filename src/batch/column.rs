@@ -1,8 +1,8 @@
 //! A column of a sweep's table: its path, and the unit in its header.
 
 use super::spec_path::SpecPath;
-use crate::checks::verdict::Verdict;
-use crate::units::{plain_minus, with_point};
+use bracket_base::units::{plain_minus, with_point};
+use bracket_codes::verdict::Verdict;
 use serde_json::{Number, Value};
 
 /// What a column holds.

@@ -3,8 +3,8 @@
 use super::merged::Merged;
 use super::plan::Plan;
 use super::row::{Outcome, Record};
-use crate::diag::{Diagnostic, Diagnostics, ExitStatus};
-use crate::spec::expr::{Expr, Value};
+use bracket_base::diag::{Diagnostic, Diagnostics, ExitStatus};
+use bracket_joint::spec::expr::{Expr, Value};
 use serde_json::{Map, Value as Json};
 
 /// Numbers of cases by outcome, and of those that are not finished.
@@ -112,7 +112,7 @@ impl Counts {
             count.map(|n| Value::number(n as f64)).ok_or_else(|| {
                 let known = Outcome::ALL.into_iter().map(Outcome::word);
                 let known = known.chain(["cases", "groups", "chosen"]);
-                format!("unknown name `{name}`{}", crate::diag::did_you_mean(name, known))
+                format!("unknown name `{name}`{}", bracket_base::diag::did_you_mean(name, known))
             })
         };
         let mut broken = Vec::new();

@@ -1,11 +1,11 @@
 //! Values that follow from others: `bolts.rows` from the depth of the beam.
 
 use super::spec_path::SpecPath;
-use crate::assembly::scope::Scope;
-use crate::diag::Diagnostic;
-use crate::spec::expr::{self, Expr};
-use crate::spec::yaml::PlaceIndex;
-use crate::units::Dim;
+use bracket_base::diag::Diagnostic;
+use bracket_base::units::Dim;
+use bracket_base::yaml::PlaceIndex;
+use bracket_joint::assembly::scope::Scope;
+use bracket_joint::spec::expr::{self, Expr};
 use serde::{Deserialize, Serialize};
 use serde_json::{Number, Value};
 

@@ -1,8 +1,8 @@
 //! Values of a sweep that change together: an axis, linked axes, or the rows of a table.
 
 use super::spec_path::SpecPath;
-use crate::checks::verdict::Verdict;
-use crate::diag::Place;
+use bracket_base::diag::Place;
+use bracket_codes::verdict::Verdict;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 

@@ -4,9 +4,9 @@
 use super::derived::Derived;
 use super::dimension::{Dimension, Setting, words};
 use super::spec_path::SpecPath;
-use crate::diag::{Diagnostic, Diagnostics};
-use crate::spec::connection::ConnectionSpec;
-use crate::spec::yaml::{self, PlaceIndex};
+use bracket_base::diag::{Diagnostic, Diagnostics};
+use bracket_base::yaml::{self, PlaceIndex};
+use bracket_joint::spec::connection::ConnectionSpec;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::path::{Path, PathBuf};

@@ -5,8 +5,8 @@ use super::plan::Plan;
 use super::row::{Outcome, Record};
 use super::screen::Kit;
 use super::sweep_folder::SweepFolder;
-use crate::checks::verdict::Verdict;
-use crate::diag::{Diagnostic, Diagnostics};
+use bracket_base::diag::{Diagnostic, Diagnostics};
+use bracket_codes::verdict::Verdict;
 use std::collections::BTreeMap;
 
 /// What a sweep has found so far.

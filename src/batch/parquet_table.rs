@@ -1,7 +1,7 @@
 //! `results.parquet`: the rows of a sweep as a column file, for data frames and databases.
 
 use super::results_table::Kind;
-use crate::diag::Diagnostic;
+use bracket_base::diag::Diagnostic;
 use parquet::basic::{LogicalType, Repetition, Type as Physical};
 use parquet::data_type::{ByteArray, ByteArrayType, DoubleType, Int64Type};
 use parquet::errors::ParquetError;

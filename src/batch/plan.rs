@@ -6,12 +6,12 @@ use super::row::Record;
 use super::screen::Kit;
 use super::sweep::{CapacityTable, CaseLimits, Choose, First, Then, meshes};
 use super::sweep_file::{SweepFile, open_catalog};
-use crate::assembly::names;
-use crate::diag::{Diagnostic, Diagnostics};
-use crate::result::result_file::Tool;
-use crate::spec::connection::ConnectionSpec;
-use crate::spec::expr::{Expr, Value};
-use crate::spec::yaml::PlaceIndex;
+use bracket_base::diag::{Diagnostic, Diagnostics};
+use bracket_base::yaml::PlaceIndex;
+use bracket_joint::assembly::names;
+use bracket_joint::spec::connection::ConnectionSpec;
+use bracket_joint::spec::expr::{Expr, Value};
+use bracket_report::result::result_file::Tool;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
@@ -172,7 +172,9 @@ fn derived_fit(
 
 /// Hash of the content of a file.
 fn content(file: &Path) -> String {
-    crate::text_file::bytes(file).map(|b| blake3::hash(&b).to_hex().to_string()).unwrap_or_default()
+    bracket_base::text_file::bytes(file)
+        .map(|b| blake3::hash(&b).to_hex().to_string())
+        .unwrap_or_default()
 }
 
 /// The part of a key that all cases with a template share, for each template.
@@ -227,7 +229,7 @@ impl Header {
 fn kit(
     expansion: &Expansion,
     folder: &Path,
-    catalog: crate::catalog::Catalog,
+    catalog: bracket_joint::catalog::Catalog,
 ) -> Result<Kit, Diagnostics> {
     // the template may be varied too: one spec for each name
     let mut specs: BTreeMap<String, ConnectionSpec> = BTreeMap::new();

@@ -8,8 +8,8 @@ use super::plan::Plan;
 use super::row::{LoadRow, Record};
 use super::screen::Kit;
 use super::spec_path::SpecPath;
-use crate::diag::Diagnostic;
-use crate::report::escaped::csv_cell;
+use bracket_base::diag::Diagnostic;
+use bracket_report::escaped::csv_cell;
 use rayon::prelude::*;
 use serde_json::{Map, Value, json};
 
@@ -81,7 +81,7 @@ fn row(
         row.insert(path.into(), json!(value));
     }
     row.extend(derived.iter().cloned());
-    let utilisation = load.and_then(|l| crate::checks::verdict::utilisation(l.lower, l.upper));
+    let utilisation = load.and_then(|l| bracket_codes::verdict::utilisation(l.lower, l.upper));
     let governing = load.and_then(|l| l.governing.as_ref());
     let with_elements = record.filter(|r| r.result);
     let actions = load.and_then(|l| l.actions);

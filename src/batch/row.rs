@@ -1,9 +1,9 @@
 //! The record of a case: its outcome, and a row for each load case.
 
 use super::sweep::Who;
-use crate::checks::judgement::Governing;
-use crate::checks::verdict::{Route, Verdict};
-use crate::diag::ExitStatus;
+use bracket_base::diag::ExitStatus;
+use bracket_codes::judgement::Governing;
+use bracket_codes::verdict::{Route, Verdict};
 use serde::{Deserialize, Serialize};
 
 /// What became of a case.

@@ -1,6 +1,6 @@
 //! The part of a sweep that one process does: shard i of n.
 
-use crate::diag::{Diagnostic, Diagnostics};
+use bracket_base::diag::{Diagnostic, Diagnostics};
 
 /// Most shards of a sweep.
 const MOST: u32 = 10_000;

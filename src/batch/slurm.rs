@@ -1,7 +1,7 @@
 //! A job array for Slurm: every task runs a shard of the sweep, a last job merges.
 
 use super::sweep_folder::SweepFolder;
-use crate::diag::{Diagnostic, Diagnostics};
+use bracket_base::diag::{Diagnostic, Diagnostics};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};

@@ -102,7 +102,7 @@ impl SpecPath {
                  the first"
             )),
             (None, _) => {
-                let hint = crate::diag::did_you_mean(key, names.iter().map(String::as_str));
+                let hint = bracket_base::diag::did_you_mean(key, names.iter().map(String::as_str));
                 Err(format!("`{self}`: no entry has the name `{key}`{hint}"))
             }
         }

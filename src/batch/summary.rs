@@ -4,9 +4,9 @@ use super::capacity::{Filled, shown};
 use super::choice_table::Shown;
 use super::counts::Counts;
 use super::row::Outcome;
-use crate::math::figures::Rounding;
-use crate::report::escaped::{escaped, inside_script};
-use crate::report::words::Words;
+use bracket_base::math::figures::Rounding;
+use bracket_report::escaped::{escaped, inside_script};
+use bracket_report::words::Words;
 use serde_json::{Map, Value};
 
 /// Style of the page.
@@ -160,7 +160,7 @@ pub fn capacity(table: &Filled, words: &Words) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::spec::connection::Language;
+    use bracket_joint::spec::connection::Language;
     use serde_json::json;
 
     /// Of many rows the page holds the worst, and says so.

@@ -5,13 +5,13 @@ use super::choice_table::Shown;
 use super::counts::Counts;
 use super::row::Outcome;
 use super::summary::worst_first;
-use crate::math::figures::{Rounding, significant, utilisation};
-use crate::report::sheet::Section;
-use crate::report::sheet::blocks::{Block, Grid, Text, plain, section};
-use crate::report::sheet::head::{Head, Paper};
-use crate::report::sheet::sweep::SweepSheet;
-use crate::report::words::Words;
-use crate::result::result_file::Tool;
+use bracket_base::math::figures::{Rounding, significant, utilisation};
+use bracket_report::result::result_file::Tool;
+use bracket_report::sheet::Section;
+use bracket_report::sheet::blocks::{Block, Grid, Text, plain, section};
+use bracket_report::sheet::head::{Head, Paper};
+use bracket_report::sheet::sweep::SweepSheet;
+use bracket_report::words::Words;
 use serde_json::{Map, Value};
 
 /// Cases that are printed: more pages than these nobody reads.

@@ -1,11 +1,11 @@
 //! The types of `SWEEP.yaml` (docs/contract.md): which joints, what is asked of each, and what is
 //! printed.
 
-use crate::diag::Diagnostics;
 use crate::driver::memory_limit;
-use crate::spec::expr::Expr;
-use crate::spec::loads::Action;
-use crate::units::Seconds;
+use bracket_base::diag::Diagnostics;
+use bracket_base::units::Seconds;
+use bracket_joint::spec::expr::Expr;
+use bracket_joint::spec::loads::Action;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};

@@ -6,10 +6,10 @@ use super::dimension::{Dimension, words};
 use super::expansion::{Expansion, canonical, covers};
 use super::sweep::{CapacityTable, Sweep, Then, meshes};
 use super::table;
-use crate::catalog::Catalog;
-use crate::diag::{Diagnostic, Diagnostics};
-use crate::spec::yaml::{self, Parsed, PlaceIndex};
-use crate::text_file;
+use bracket_base::diag::{Diagnostic, Diagnostics};
+use bracket_base::text_file;
+use bracket_base::yaml::{self, Parsed, PlaceIndex};
+use bracket_joint::catalog::Catalog;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 
@@ -142,7 +142,7 @@ impl SweepFile {
 /// A hint at a path that is meant, if nothing varies `path`.
 fn not_varied(path: &str, dimensions: &[Dimension]) -> Option<String> {
     let all = || dimensions.iter().flat_map(|d| d.paths.iter().map(|p| p.text()));
-    all().all(|p| p != path).then(|| crate::diag::did_you_mean(path, all()))
+    all().all(|p| p != path).then(|| bracket_base::diag::did_you_mean(path, all()))
 }
 
 /// A fault of a sweep: message, path in the sweep file, help.

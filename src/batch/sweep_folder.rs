@@ -15,7 +15,7 @@
 use super::case::Case;
 use super::plan::{Header, Plan, SCHEMA};
 use super::row::Record;
-use crate::diag::{Diagnostic, Diagnostics};
+use bracket_base::diag::{Diagnostic, Diagnostics};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use std::fs;

@@ -6,8 +6,8 @@
 
 use super::column::{self, Column, Decimals};
 use super::dimension::{Dimension, Setting};
-use crate::diag::{Diagnostic, Diagnostics, Place};
-use crate::text_file;
+use bracket_base::diag::{Diagnostic, Diagnostics, Place};
+use bracket_base::text_file;
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -162,7 +162,7 @@ fn parse(text: &str, file: &Path) -> Result<Dimension, Diagnostics> {
 /// The columns of a header, or the faulty headers with the reason.
 fn columns(
     headers: &csv::StringRecord,
-) -> Result<Vec<Column>, crate::diag::AtLeastOne<(String, String)>> {
+) -> Result<Vec<Column>, bracket_base::diag::AtLeastOne<(String, String)>> {
     let mut columns: Vec<Column> = Vec::new();
     let mut faults = Vec::new();
     for header in headers {
@@ -183,7 +183,7 @@ fn columns(
             }
         }
     }
-    crate::diag::AtLeastOne::refuse(faults)?;
+    bracket_base::diag::AtLeastOne::refuse(faults)?;
     Ok(columns)
 }
 

@@ -2,7 +2,7 @@
 //! process leaves is removed by the next one.
 
 use super::sweep_folder::{SweepFolder, unique, write_whole};
-use crate::diag::Diagnostic;
+use bracket_base::diag::Diagnostic;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};

@@ -6,13 +6,13 @@ use super::row::{LoadRow, Outcome, Record};
 use super::screen::first_end;
 use super::sweep_folder::{SweepFolder, write_whole};
 use super::work_folder::{own, work_folder};
-use crate::analysis::memory::resident_of;
-use crate::checks::judgement::Governing;
-use crate::diag::Diagnostic;
 use crate::driver::interrupt::END_WITH_PARENT;
-use crate::result::demand::{ActionValue, Demand};
-use crate::result::result_file::{Quantity, RESULT_FILE, ResultFile};
-use crate::spec::yaml;
+use bracket_base::diag::Diagnostic;
+use bracket_base::yaml;
+use bracket_codes::judgement::Governing;
+use bracket_engine::analysis::memory::resident_of;
+use bracket_report::result::demand::{ActionValue, Demand};
+use bracket_report::result::result_file::{Quantity, RESULT_FILE, ResultFile};
 use serde_json::Value;
 use std::ffi::OsString;
 use std::fs;
@@ -168,7 +168,7 @@ fn run(
 
 /// The spec with absolute paths of its template and catalogue, so that it may stand anywhere.
 pub fn absolute(mut spec: Value, folder: &Path) -> Value {
-    let is_path = crate::assembly::template_file::is_path;
+    let is_path = bracket_joint::assembly::template_file::is_path;
     for (key, always) in [("template", false), ("catalog", true)] {
         if let Some(Value::String(path)) = spec.get_mut(key)
             && (always || is_path(path))

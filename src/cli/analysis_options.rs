@@ -1,8 +1,8 @@
 //! Options of the commands that analyse.
 
-use crate::diag::Diagnostics;
 use crate::driver::limits::Limits;
-use crate::solve::Solver;
+use bracket_base::diag::Diagnostics;
+use bracket_engine::solve::Solver;
 use std::path::{Path, PathBuf};
 
 /// Which solver solves the conic programs.

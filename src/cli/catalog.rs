@@ -1,10 +1,10 @@
 //! `bracket catalog`.
 
 use super::common::{CommandResult, Common, Format};
-use crate::catalog::{BoltSize, Catalog, CatalogError, IProfile, NationalAnnex, Steel};
-use crate::diag::{Diagnostic, Diagnostics, ExitStatus, did_you_mean, in_line};
 use crate::driver::spec_file::catalog_warning;
-use crate::report::console::out;
+use bracket_base::diag::{Diagnostic, Diagnostics, ExitStatus, did_you_mean, in_line};
+use bracket_joint::catalog::{BoltSize, Catalog, CatalogError, IProfile, NationalAnnex, Steel};
+use bracket_report::console::out;
 use clap::{Subcommand, ValueEnum};
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -147,7 +147,7 @@ fn list(
         }
         Kind::Bolts => {
             let cells = |b: &BoltSize| {
-                let mut cells = vec![if b.system == crate::catalog::PLAIN_SYSTEM {
+                let mut cells = vec![if b.system == bracket_joint::catalog::PLAIN_SYSTEM {
                     b.size.clone()
                 } else {
                     format!("{} {}", b.system, b.size)

@@ -1,8 +1,8 @@
 //! Options of every subcommand.
 
-use crate::diag::{Diagnostic, Diagnostics, ExitStatus};
 use crate::driver::finish::Finished;
-use crate::report::console::out;
+use bracket_base::diag::{Diagnostic, Diagnostics, ExitStatus};
+use bracket_report::console::out;
 use clap::ValueEnum;
 
 /// How a subcommand ends: with an exit status, or with the faults that stopped it.

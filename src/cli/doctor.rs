@@ -1,12 +1,12 @@
 //! `bracket doctor`.
 
 use super::common::{CommandResult, Common, Format};
-use crate::catalog::Catalog;
-use crate::diag::ExitStatus;
-use crate::mesh::gmsh::Mesher;
-use crate::mesh::mesher_error::{REMESHER_VARIABLE, VARIABLE};
-use crate::mesh::mmg::Remesher;
-use crate::report::console::out;
+use bracket_base::diag::ExitStatus;
+use bracket_engine::mesh::gmsh::Mesher;
+use bracket_engine::mesh::mesher_error::{REMESHER_VARIABLE, VARIABLE};
+use bracket_engine::mesh::mmg::Remesher;
+use bracket_joint::catalog::Catalog;
+use bracket_report::console::out;
 use serde::Serialize;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};

@@ -2,18 +2,18 @@
 
 use super::catalog_options::CatalogOptions;
 use super::common::{CommandResult, Common, Format};
-use crate::assembly::Assembly;
-use crate::diag::{Diagnostic, Diagnostics, ExitStatus, number};
 use crate::driver::interrupt::Interrupt;
 use crate::driver::meshing;
 use crate::driver::spec_file;
-use crate::geometry::size::SizeRule;
-use crate::mesh::joint::{JointMesh, MeshOptions, mesh_joint, write_step};
-use crate::mesh::{msh_write, quality};
-use crate::report::console::log::Log;
-use crate::report::console::out;
-use crate::result::folder::{Content, ResultFolder};
-use crate::text_file;
+use bracket_base::diag::{Diagnostic, Diagnostics, ExitStatus, number};
+use bracket_base::text_file;
+use bracket_engine::mesh::{msh_write, quality};
+use bracket_joint::assembly::Assembly;
+use bracket_joint::geometry::size::SizeRule;
+use bracket_joint::meshing::joint::{JointMesh, MeshOptions, mesh_joint, write_step};
+use bracket_report::console::log::Log;
+use bracket_report::console::out;
+use bracket_report::result::folder::{Content, ResultFolder};
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;

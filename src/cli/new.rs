@@ -1,18 +1,20 @@
 //! `bracket new`.
 
 use super::common::{CommandResult, Common};
-use crate::assembly::inputs::Inputs;
-use crate::assembly::origin::Origin;
-use crate::assembly::scope::Resolved;
-use crate::assembly::template::Template;
-use crate::assembly::template_file;
-use crate::catalog::Catalog;
-use crate::diag::{AtLeastOne, Diagnostic, Diagnostics, ExitStatus};
-use crate::report::console::out;
-use crate::spec::analysis::AnalysisSpec;
-use crate::spec::connection::{BoltSpec, ConnectionSpec, MemberSpec, ParameterValue, PlateSpec};
-use crate::spec::loads::{ActionPoint, LoadSpec};
-use crate::units::{self, Length};
+use bracket_base::diag::{AtLeastOne, Diagnostic, Diagnostics, ExitStatus};
+use bracket_base::units::{self, Length};
+use bracket_joint::assembly::inputs::Inputs;
+use bracket_joint::assembly::origin::Origin;
+use bracket_joint::assembly::scope::Resolved;
+use bracket_joint::assembly::template::Template;
+use bracket_joint::assembly::template_file;
+use bracket_joint::catalog::Catalog;
+use bracket_joint::spec::analysis::AnalysisSpec;
+use bracket_joint::spec::connection::{
+    BoltSpec, ConnectionSpec, MemberSpec, ParameterValue, PlateSpec,
+};
+use bracket_joint::spec::loads::{ActionPoint, LoadSpec};
+use bracket_report::console::out;
 use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::{Component, Path, PathBuf};
@@ -215,7 +217,7 @@ pub fn starter(
     date: &str,
 ) -> Result<String, Diagnostics> {
     let spec = example(template, name);
-    let wrong = |faults: AtLeastOne<crate::assembly::AssemblyError>| {
+    let wrong = |faults: AtLeastOne<bracket_joint::assembly::AssemblyError>| {
         faults.map(|f| origin.placed(template, f))
     };
     let inputs = Inputs::read(&spec, template, catalog).map_err(wrong)?;

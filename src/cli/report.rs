@@ -1,16 +1,16 @@
 //! `bracket report`: the printed report of a finished result.
 
 use super::common::{CommandResult, Common, Format};
-use crate::diag::{Diagnostic, Diagnostics, ExitStatus};
 use crate::driver::interrupt::Interrupt;
-use crate::report::console::log::Log;
-use crate::report::console::out;
-use crate::report::markdown::report_data::ReportData;
-use crate::report::printed;
-use crate::report::sheet::head::Paper;
-use crate::report::sheet::{Extent, PDF_FILE};
-use crate::result::digests::{DIGESTS_FILE, Digests};
-use crate::spec::connection::Language;
+use bracket_base::diag::{Diagnostic, Diagnostics, ExitStatus};
+use bracket_joint::spec::connection::Language;
+use bracket_report::console::log::Log;
+use bracket_report::console::out;
+use bracket_report::markdown::report_data::ReportData;
+use bracket_report::printed;
+use bracket_report::result::digests::{DIGESTS_FILE, Digests};
+use bracket_report::sheet::head::Paper;
+use bracket_report::sheet::{Extent, PDF_FILE};
 use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};

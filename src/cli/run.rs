@@ -6,7 +6,7 @@ use super::common::{CommandResult, Common};
 use crate::driver::limits::use_threads;
 use crate::driver::meshing::Extent;
 use crate::driver::run_spec::{SpecRun, run_spec};
-use crate::spec::analysis::AnalysisKind;
+use bracket_engine::model::AnalysisKind;
 use std::path::PathBuf;
 
 /// Connection spec → geometry → mesh → dual analyses → bracket and report.
@@ -23,7 +23,7 @@ pub struct RunArgs {
     pub size_factor: f64,
     /// Kind of analysis, in place of `analysis.kind`.
     #[arg(long, value_enum)]
-    pub kind: Option<AnalysisKind>,
+    pub kind: Option<KindArg>,
     /// Meshes at most, in place of `analysis.max_passes`: 1 is a quick look.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=50))]
     pub max_passes: Option<u32>,
@@ -38,20 +38,24 @@ pub struct RunArgs {
     pub keep: bool,
 }
 
-impl clap::ValueEnum for AnalysisKind {
-    fn value_variants<'a>() -> &'a [Self] {
-        &[Self::Elastic, Self::Elastoplastic, Self::Limit]
-    }
+/// The kinds of analysis as words of the command line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum KindArg {
+    /// Energy and displacement of the elastic joint
+    Elastic,
+    /// Energy of the elastic, perfectly plastic joint under the given load
+    Elastoplastic,
+    /// Load at collapse
+    Limit,
+}
 
-    fn to_possible_value(&self) -> Option<clap::builder::PossibleValue> {
-        let help = match self {
-            Self::Elastic => "Energy and displacement of the elastic joint",
-            Self::Elastoplastic => {
-                "Energy of the elastic, perfectly plastic joint under the given load"
-            }
-            Self::Limit => "Load at collapse",
-        };
-        Some(clap::builder::PossibleValue::new(self.word()).help(help))
+impl From<KindArg> for AnalysisKind {
+    fn from(kind: KindArg) -> Self {
+        match kind {
+            KindArg::Elastic => AnalysisKind::Elastic,
+            KindArg::Elastoplastic => AnalysisKind::Elastoplastic,
+            KindArg::Limit => AnalysisKind::Limit,
+        }
     }
 }
 
@@ -66,7 +70,7 @@ pub fn run(args: &RunArgs, common: &Common) -> CommandResult {
         catalog: args.catalog.catalog.clone(),
         folder: args.options.folder(&args.spec),
         extent,
-        kind: args.kind,
+        kind: args.kind.map(AnalysisKind::from),
         max_passes: args.max_passes,
         keep: args.keep,
         quiet: common.quiet,

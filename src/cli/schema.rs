@@ -1,14 +1,14 @@
 //! `bracket schema`.
 
 use super::common::{CommandResult, Common};
-use crate::assembly::template::{Parameter, ParameterKind, Template};
-use crate::assembly::template_file::{self, SHIPPED};
 use crate::batch::sweep::Sweep;
-use crate::diag::{Diagnostic, Diagnostics, ExitStatus};
-use crate::model::file::ModelFile;
-use crate::report::console::out;
-use crate::spec::ConnectionSpec;
-use crate::spec::yaml::REST;
+use bracket_base::diag::{Diagnostic, Diagnostics, ExitStatus};
+use bracket_base::yaml::REST;
+use bracket_engine::model::file::ModelFile;
+use bracket_joint::assembly::template::{Parameter, ParameterKind, Template};
+use bracket_joint::assembly::template_file::{self, SHIPPED};
+use bracket_joint::spec::ConnectionSpec;
+use bracket_report::console::out;
 use clap::ValueEnum;
 use schemars::JsonSchema;
 use serde_json::{Value, json};
@@ -205,7 +205,7 @@ fn plain(value: &mut Value) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::spec::yaml;
+    use bracket_base::yaml;
 
     #[test]
     fn committed_schemas_are_fresh() {
@@ -366,11 +366,11 @@ loads: [{name: 1, end: beam_right, at: bolt_plane, My: 20 kN m}]
 ";
         let schema: Value =
             serde_json::from_str(&text(Kind::Spec).expect("a schema")).expect("JSON");
-        let catalog = crate::catalog::Catalog::builtin().expect("catalogue");
+        let catalog = bracket_joint::catalog::Catalog::builtin().expect("catalogue");
         let both = |spec: &str| {
             let value = yaml::parse::<Value>(spec, Path::new("t.yaml")).expect("YAML").value;
             let reads = yaml::parse::<ConnectionSpec>(spec, Path::new("t.yaml"))
-                .and_then(|p| crate::assembly::build(&p, Path::new("."), &catalog));
+                .and_then(|p| bracket_joint::assembly::build(&p, Path::new("."), &catalog));
             (refused(&value, &schema, &schema, ""), reads.map(drop))
         };
         for (old, new) in [

@@ -2,11 +2,11 @@
 
 use super::analysis_options::SolverChoice;
 use super::common::{CommandResult, Common, Format};
-use crate::diag::ExitStatus;
 use crate::driver::limits::{Limits, use_threads};
 use crate::driver::study::{StudyOptions, run_study};
-use crate::report::console::out;
-use crate::solve::Solver;
+use bracket_base::diag::ExitStatus;
+use bracket_engine::solve::Solver;
+use bracket_report::console::out;
 use std::path::PathBuf;
 
 /// Speed against error: a row for each mesh and solver, as table, CSV and plots.

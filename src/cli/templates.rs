@@ -2,10 +2,10 @@
 
 use super::common::{CommandResult, Common, Format};
 use super::new::named_on_the_command_line;
-use crate::assembly::template::{self, Template};
-use crate::assembly::template_file::{self, SHIPPED};
-use crate::diag::{Diagnostics, ExitStatus, in_line};
-use crate::report::console::out;
+use bracket_base::diag::{Diagnostics, ExitStatus, in_line};
+use bracket_joint::assembly::template::{self, Template};
+use bracket_joint::assembly::template_file::{self, SHIPPED};
+use bracket_report::console::out;
 use serde_json::{Value, json};
 use std::path::Path;
 

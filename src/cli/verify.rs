@@ -2,11 +2,11 @@
 //! mesh alone.
 
 use super::common::{CommandResult, Common, Format};
-use crate::diag::{ExitStatus, in_line};
 use crate::driver::interrupt::Interrupt;
 use crate::driver::verify_folder::{Verified, verify_folder};
-use crate::report::console::out;
-use crate::result::verify::Finding;
+use bracket_base::diag::{ExitStatus, in_line};
+use bracket_report::console::out;
+use bracket_report::result::verify::Finding;
 use std::path::PathBuf;
 
 /// Recompute the certificate of a finished result.

@@ -3,9 +3,9 @@
 
 use super::check::{self, CheckArgs};
 use super::common::{CommandResult, Common};
-use crate::diag_render;
 use crate::driver::interrupt::Interrupt;
-use crate::report::console::out;
+use bracket_base::diag_render;
+use bracket_report::console::out;
 use std::io::{IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};

@@ -1,7 +1,6 @@
 //! Adaptive passes: successively better meshes until the target gap or a limit is reached. The
 //! result consists of the best bounds of all passes.
 
-use crate::diag::Diagnostics;
 use crate::driver::case::Case;
 use crate::driver::context::RunContext;
 use crate::driver::limits::Limits;
@@ -9,14 +8,15 @@ use crate::driver::pass_run::too_large;
 use crate::driver::passes::{Kept, Mesh, Passes, Share, joined, lost};
 use crate::driver::remesh::Remesh;
 use crate::driver::sequence::Sequence;
-use crate::model::AnalysisModel;
-use crate::model::file::Bounds;
-use crate::refine::plan::Stop;
-use crate::report::console::log::Log;
-use crate::report::figures::percent_up;
-use crate::result::combine::{PassResult, best};
-use crate::result::result_file::{CaseResult, HistoryRow};
-use crate::spec::analysis::AnalysisKind;
+use bracket_base::diag::Diagnostics;
+use bracket_engine::model::AnalysisKind;
+use bracket_engine::model::AnalysisModel;
+use bracket_engine::model::file::Bounds;
+use bracket_engine::refine::plan::Stop;
+use bracket_report::console::log::Log;
+use bracket_report::figures::percent_up;
+use bracket_report::result::combine::{PassResult, best};
+use bracket_report::result::result_file::{CaseResult, HistoryRow};
 use std::sync::Arc;
 
 /// The result of all passes of a case.

@@ -1,6 +1,5 @@
 //! The analysis of a model file on the user's own mesh.
 
-use crate::diag::{Diagnostic, Diagnostics};
 use crate::driver::by_metric::{ByMetric, Tools};
 use crate::driver::case::Case;
 use crate::driver::context::RunContext;
@@ -10,16 +9,17 @@ use crate::driver::limits::{Limits, WHEN_INTERRUPTED};
 use crate::driver::meshing::quality_table;
 use crate::driver::remesh::{ByBisection, Places, Remesh, remesher};
 use crate::driver::run_cases::run_cases;
-use crate::mesh::{TetMesh, merge, msh, quality};
-use crate::model::file::{ModelFile, Nodes};
-use crate::model::resolve::load_model;
-use crate::refine::plan;
-use crate::report::console::log::Log;
-use crate::result::file_names::file_stem;
-use crate::result::folder::ResultFolder;
-use crate::spec::analysis::AnalysisSpec;
-use crate::spec::yaml;
-use crate::text_file;
+use bracket_base::diag::{Diagnostic, Diagnostics};
+use bracket_base::text_file;
+use bracket_base::yaml;
+use bracket_engine::mesh::{TetMesh, merge, msh, quality};
+use bracket_engine::model::file::{ModelFile, Nodes};
+use bracket_engine::model::resolve::load_model;
+use bracket_engine::refine::plan;
+use bracket_joint::spec::analysis::AnalysisSpec;
+use bracket_report::console::log::Log;
+use bracket_report::result::file_names::file_stem;
+use bracket_report::result::folder::ResultFolder;
 use std::path::Path;
 use std::rc::Rc;
 use std::sync::Arc;

@@ -1,19 +1,19 @@
 //! Remeshes with Mmg by a metric: as many elements as the design asks for, long where the fields
 //! vary little.
 
-use crate::diag::{Diagnostic, Diagnostics};
 use crate::driver::meshing::quality_table;
 use crate::driver::remesh::{Made, Places, Remesh};
-use crate::math::mandel::Mandel;
-use crate::mesh::mmg::Remesher;
-use crate::mesh::polyhedron::Polyhedron;
-use crate::mesh::size_field::{Edges, SizeField};
-use crate::mesh::{TetMesh, quality};
-use crate::model::file::{ModelFile, Nodes};
-use crate::model::resolve::resolve;
-use crate::refine::metric::{Metric, SizeLimits, least_sizes};
-use crate::refine::optimum::Design;
-use crate::report::console::log::Log;
+use bracket_base::diag::{Diagnostic, Diagnostics};
+use bracket_base::math::mandel::Mandel;
+use bracket_engine::mesh::mmg::Remesher;
+use bracket_engine::mesh::polyhedron::Polyhedron;
+use bracket_engine::mesh::size_field::{Edges, SizeField};
+use bracket_engine::mesh::{TetMesh, quality};
+use bracket_engine::model::file::{ModelFile, Nodes};
+use bracket_engine::model::resolve::resolve;
+use bracket_engine::refine::metric::{Metric, SizeLimits, least_sizes};
+use bracket_engine::refine::optimum::Design;
+use bracket_report::console::log::Log;
 use std::path::PathBuf;
 use std::rc::Rc;
 use std::sync::Arc;

@@ -1,11 +1,11 @@
 //! A load case that is ready to be analysed.
 
-use crate::diag::{Diagnostic, Diagnostics};
 use crate::driver::remesh::Remesh;
-use crate::model::AnalysisModel;
-use crate::model::analysis::Traction;
-use crate::model::file::ModelFile;
-use crate::result::file_names::stem_of;
+use bracket_base::diag::{Diagnostic, Diagnostics};
+use bracket_engine::model::AnalysisModel;
+use bracket_engine::model::analysis::Traction;
+use bracket_engine::model::file::ModelFile;
+use bracket_report::result::file_names::stem_of;
 
 /// One load case ready to be analysed.
 pub struct Case<'a> {

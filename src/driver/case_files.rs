@@ -1,22 +1,22 @@
 //! Files of a case in the result folder: model, mesh and fields of the passes with the best bounds.
 
-use crate::analysis::dispatch::AnalysisPass;
-use crate::analysis::limit;
-use crate::certify::limit_certificate::dissipation_densities;
-use crate::diag::{Diagnostic, Diagnostics};
 use crate::driver::adaptive::Adapted;
 use crate::driver::passes::Kept;
-use crate::mesh::msh_write;
-use crate::model::file::ModelFile;
-use crate::result::fields::field_files::{
+use bracket_base::diag::{Diagnostic, Diagnostics};
+use bracket_base::yaml;
+use bracket_engine::analysis::dispatch::AnalysisPass;
+use bracket_engine::analysis::limit;
+use bracket_engine::certify::limit_certificate::dissipation_densities;
+use bracket_engine::mesh::msh_write;
+use bracket_engine::model::AnalysisKind;
+use bracket_engine::model::file::ModelFile;
+use bracket_report::result::fields::field_files::{
     displacement_grid, lower_grid, shift_grid, stress_grid, velocity_grid, yielding_stress_grid,
 };
-use crate::result::fields::plastic_file::plastic_grid;
-use crate::result::fields::vtu::VtuGrid;
-use crate::result::file_names::{DEAD_FIELD, LIVE_FIELD};
-use crate::result::folder::ResultFolder;
-use crate::spec::analysis::AnalysisKind;
-use crate::spec::yaml;
+use bracket_report::result::fields::plastic_file::plastic_grid;
+use bracket_report::result::fields::vtu::VtuGrid;
+use bracket_report::result::file_names::{DEAD_FIELD, LIVE_FIELD};
+use bracket_report::result::folder::ResultFolder;
 
 /// Writes models, meshes and fields of the passes with the best bounds. `first` is the model file
 /// of the first mesh; `[model, mesh]` are the names of the model file and of the mesh file of a

@@ -1,17 +1,17 @@
 //! The hand checks of a connection spec, without mesher or solver.
 
-use crate::checks::HandChecks;
-use crate::checks::verdict::Verdict;
-use crate::diag::Diagnostics;
 use crate::driver::finish::{Analyses, Finished, finish};
 use crate::driver::input_hash::checked_hash;
 use crate::driver::interrupt::Interrupt;
 use crate::driver::spec_checks;
 use crate::driver::spec_context::{self, spec_context};
 use crate::driver::spec_file::{self, SpecFile};
-use crate::report::console::log::Log;
-use crate::result::folder::ResultFolder;
-use crate::result::result_file::ResultFile;
+use bracket_base::diag::Diagnostics;
+use bracket_codes::HandChecks;
+use bracket_codes::verdict::Verdict;
+use bracket_report::console::log::Log;
+use bracket_report::result::folder::ResultFolder;
+use bracket_report::result::result_file::ResultFile;
 use std::path::Path;
 
 /// Checks a spec and writes report and drawings into `folder`. `catalog` is a catalogue folder that

@@ -1,23 +1,23 @@
 //! Pictures of limit analysis: the mechanism of the upper bound and the zones that limit the lower
 //! bound, each on the mesh of its own pass, cut open where most of it happens.
 
-use crate::analysis::dispatch::AnalysisPass;
-use crate::analysis::limit::{LimitPass, SUBDIVISIONS};
-use crate::certify::limit_certificate::dissipation_densities;
-use crate::certify::velocity_field::VelocityField;
-use crate::diag::Diagnostics;
 use crate::driver::context::RunContext;
 use crate::driver::passes::Kept;
 use crate::driver::pictures::{enlargement, png};
-use crate::math::vec3::{self, V3};
-use crate::mesh::TetMesh;
-use crate::model::AnalysisModel;
-use crate::report::draw::raster::{Colours, Deformed, Field, PictureOptions, draw};
-use crate::report::draw::section::{Plane, Section};
-use crate::report::draw::whole::Whole;
-use crate::report::markdown::report_data::PictureRef;
-use crate::report::words::Words;
-use crate::result::folder::ResultFolder;
+use bracket_base::diag::Diagnostics;
+use bracket_base::math::vec3::{self, V3};
+use bracket_engine::analysis::dispatch::AnalysisPass;
+use bracket_engine::analysis::limit::{LimitPass, SUBDIVISIONS};
+use bracket_engine::certify::limit_certificate::dissipation_densities;
+use bracket_engine::certify::velocity_field::VelocityField;
+use bracket_engine::mesh::TetMesh;
+use bracket_engine::model::AnalysisModel;
+use bracket_report::draw::raster::{Colours, Deformed, Field, PictureOptions, draw};
+use bracket_report::draw::section::{Plane, Section};
+use bracket_report::draw::whole::Whole;
+use bracket_report::markdown::report_data::PictureRef;
+use bracket_report::result::folder::ResultFolder;
+use bracket_report::words::Words;
 
 /// Share of the dissipation below which the bodies count as rigid compared with welds and
 /// supports.

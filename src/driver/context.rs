@@ -1,17 +1,17 @@
 //! The input of a run except its cases: title block, checks, drawings, limits of adaptation.
 
-use crate::assembly::BoltLine;
-use crate::checks::HandChecks;
 use crate::driver::demands::CaseDemand;
-use crate::refine::plan;
-use crate::report::draw::moment_rotation;
-use crate::report::markdown::report_data::CatalogueRow;
-use crate::report::markdown::report_data::PictureRef;
-use crate::report::markdown::report_data::ResolvedValue;
-use crate::report::markdown::report_data::Table;
-use crate::report::words::Words;
-use crate::spec::connection::Language;
-use crate::spec::polygon::PolygonSpec;
+use bracket_codes::HandChecks;
+use bracket_engine::refine::plan;
+use bracket_joint::assembly::BoltLine;
+use bracket_joint::spec::connection::Language;
+use bracket_joint::spec::polygon::PolygonSpec;
+use bracket_report::draw::moment_rotation;
+use bracket_report::markdown::report_data::CatalogueRow;
+use bracket_report::markdown::report_data::PictureRef;
+use bracket_report::markdown::report_data::ResolvedValue;
+use bracket_report::markdown::report_data::Table;
+use bracket_report::words::Words;
 
 /// The input of a run as the report presents it.
 #[derive(Clone, Debug, Default)]

@@ -1,7 +1,7 @@
 //! The load cases that are demands on the joint.
 
-use crate::result::demand::{ActionValue, EndAction};
-use crate::spec::loads::{Action, LoadSpec};
+use bracket_joint::spec::loads::{Action, LoadSpec};
+use bracket_report::result::demand::{ActionValue, EndAction};
 
 /// A load case with forces or moments at member ends.
 #[derive(Clone, Debug)]

@@ -1,31 +1,31 @@
 //! The end of every command that judges a spec: it judges the result, writes the folder, and
 //! chooses the exit status.
 
-use crate::checks::verdict::Verdict;
-use crate::checks::{Analysed, HandChecks, judge};
-use crate::diag::{Diagnostic, Diagnostics, ExitStatus, in_line};
 use crate::driver::context::RunContext;
 use crate::driver::demands::CaseDemand;
 use crate::driver::interrupt::Interrupt;
-use crate::report::console::answer::answer;
-use crate::report::console::log::Log;
-use crate::report::draw::dxf::DXF_FILE;
-use crate::report::draw::moment_rotation;
-use crate::report::markdown::compose::report_markdown;
-use crate::report::markdown::report_data::ModelTraits;
-use crate::report::markdown::report_data::PictureRef;
-use crate::report::markdown::report_data::{GivenActions, REPORT_DATA_FILE, ReportData};
-use crate::report::page::scene::Scene;
-use crate::report::page::{self, PAGE_FILE};
-use crate::report::printed;
-use crate::report::sheet::build::sheet;
-use crate::report::sheet::head::Paper;
-use crate::report::sheet::{Extent, PDF_FILE};
-use crate::result::folder::ResultFolder;
-use crate::result::result_file::CaseResult;
-use crate::result::result_file::HistoryRow;
-use crate::result::result_file::ResultFile;
-use crate::spec::analysis::AnalysisKind;
+use bracket_base::diag::{Diagnostic, Diagnostics, ExitStatus, in_line};
+use bracket_codes::verdict::Verdict;
+use bracket_codes::{Analysed, HandChecks, judge};
+use bracket_engine::model::AnalysisKind;
+use bracket_report::console::answer::answer;
+use bracket_report::console::log::Log;
+use bracket_report::draw::dxf::DXF_FILE;
+use bracket_report::draw::moment_rotation;
+use bracket_report::markdown::compose::report_markdown;
+use bracket_report::markdown::report_data::ModelTraits;
+use bracket_report::markdown::report_data::PictureRef;
+use bracket_report::markdown::report_data::{GivenActions, REPORT_DATA_FILE, ReportData};
+use bracket_report::page::scene::Scene;
+use bracket_report::page::{self, PAGE_FILE};
+use bracket_report::printed;
+use bracket_report::result::folder::ResultFolder;
+use bracket_report::result::result_file::CaseResult;
+use bracket_report::result::result_file::HistoryRow;
+use bracket_report::result::result_file::ResultFile;
+use bracket_report::sheet::build::sheet;
+use bracket_report::sheet::head::Paper;
+use bracket_report::sheet::{Extent, PDF_FILE};
 
 /// The data that the analyses of a run leave. The default describes a run without analyses.
 #[derive(Default)]

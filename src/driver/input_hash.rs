@@ -1,13 +1,13 @@
 //! The hash of the input of a result: of everything that its numbers depend on.
 
-use crate::diag::{Diagnostic, Diagnostics};
 use crate::driver::meshing::{Extent, sizes};
 use crate::driver::spec_context::own_rows;
 use crate::driver::spec_file::SpecFile;
-use crate::geometry::Scene;
-use crate::geometry::geo_script::{Purpose, Sizing, script};
-use crate::result::result_file::input_hash;
-use crate::spec::analysis::AnalysisKind;
+use bracket_base::diag::{Diagnostic, Diagnostics};
+use bracket_engine::model::AnalysisKind;
+use bracket_joint::geometry::Scene;
+use bracket_joint::geometry::geo_script::{Purpose, Sizing, script};
+use bracket_report::result::result_file::input_hash;
 use serde_json::Value;
 
 /// Hash of the input of a run. `models` are the texts of the model files on the first mesh: they

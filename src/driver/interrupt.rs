@@ -4,8 +4,8 @@
 //! The signals are blocked in every thread and awaited in one. METIS replaces signal handlers by
 //! its own while it orders; blocked signals never reach a handler.
 
-use crate::diag::{Diagnostic, Diagnostics, ExitStatus};
-use crate::report::console::log::Log;
+use bracket_base::diag::{Diagnostic, Diagnostics, ExitStatus};
+use bracket_report::console::log::Log;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError, Weak};
 

@@ -1,9 +1,9 @@
 //! Solver and limits of a run: time, memory, threads, and the user's interrupt.
 
-use crate::diag::{Diagnostic, Diagnostics};
 use crate::driver::interrupt::Interrupt;
 use crate::driver::memory_limit;
-use crate::solve::Solver;
+use bracket_base::diag::{Diagnostic, Diagnostics};
+use bracket_engine::solve::Solver;
 
 /// Effect of the first Ctrl-C, as the log announces it.
 pub const WHEN_INTERRUPTED: &str = "the mesher stops now, the solvers after their current \

@@ -1,6 +1,6 @@
 //! `--memory-limit`: how much memory a run may use.
 
-use crate::diag::{Diagnostic, Diagnostics};
+use bracket_base::diag::{Diagnostic, Diagnostics};
 
 /// Units and their bytes: SI and binary, as schedulers and users write them.
 const UNITS: [(&str, f64); 8] = [

@@ -1,15 +1,16 @@
 //! The mesh of a spec's joint.
 
-use crate::diag::{Diagnostic, Diagnostics, number};
 use crate::driver::interrupt::Interrupt;
 use crate::driver::spec_file::SpecFile;
-use crate::geometry::size::{HALF_THICKNESS, SizeRule};
-use crate::mesh::gmsh::{Mesher, Until};
-use crate::mesh::joint::{JointMesh, MeshOptions, mesh_joint};
-use crate::mesh::quality::BodyQuality;
-use crate::report::console::log::Log;
-use crate::report::markdown::report_data::Table;
-use crate::spec::analysis::{AnalysisKind, MeshSize, MeshSpec};
+use bracket_base::diag::{Diagnostic, Diagnostics, number};
+use bracket_engine::mesh::gmsh::{Mesher, Until};
+use bracket_engine::mesh::quality::BodyQuality;
+use bracket_engine::model::AnalysisKind;
+use bracket_joint::geometry::size::{HALF_THICKNESS, SizeRule};
+use bracket_joint::meshing::joint::{JointMesh, MeshOptions, mesh_joint};
+use bracket_joint::spec::analysis::{MeshSize, MeshSpec};
+use bracket_report::console::log::Log;
+use bracket_report::markdown::report_data::Table;
 use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;

@@ -1,14 +1,14 @@
 //! Converts a pass to an entry of the result.
 
-use crate::analysis::dispatch::AnalysisPass;
-use crate::certify::fields::StressField;
-use crate::model::AnalysisModel;
-use crate::result::bounds::CaseBounds;
-use crate::result::energy_case::case_result;
-use crate::result::energy_case::energy_bounds;
-use crate::result::limit_case::{factor_bounds, limit_case_result};
-use crate::result::result_file::CaseResult;
-use crate::result::result_file::FrictionModel;
+use bracket_engine::analysis::dispatch::AnalysisPass;
+use bracket_engine::certify::fields::StressField;
+use bracket_engine::model::AnalysisModel;
+use bracket_report::result::bounds::CaseBounds;
+use bracket_report::result::energy_case::case_result;
+use bracket_report::result::energy_case::energy_bounds;
+use bracket_report::result::limit_case::{factor_bounds, limit_case_result};
+use bracket_report::result::result_file::CaseResult;
+use bracket_report::result::result_file::FrictionModel;
 
 /// The entry of the result for a pass.
 pub fn pass_entry(

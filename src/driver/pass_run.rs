@@ -1,20 +1,20 @@
 //! Runs both programs of a case on one mesh and logs the progress.
 
-use crate::analysis::dispatch::AnalysisPass;
-use crate::analysis::event::Progress;
-use crate::analysis::memory::{Limit, room};
-use crate::analysis::pass::PassOptions;
-use crate::analysis::program::Program;
-use crate::analysis::program_outcome::InsufficientMemory;
-use crate::certify::faces::contact_faces;
-use crate::diag::{Diagnostic, Diagnostics};
 use crate::driver::limits::Limits;
-use crate::model::AnalysisModel;
-use crate::report::console::log::Log;
-use crate::report::console::progress;
-use crate::result::refusal::refusal_words;
-use crate::solve::{Patterns, SolveOptions};
-use crate::spec::analysis::AnalysisKind;
+use bracket_base::diag::{Diagnostic, Diagnostics};
+use bracket_engine::analysis::dispatch::AnalysisPass;
+use bracket_engine::analysis::event::Progress;
+use bracket_engine::analysis::memory::{Limit, room};
+use bracket_engine::analysis::pass::PassOptions;
+use bracket_engine::analysis::program::Program;
+use bracket_engine::analysis::program_outcome::InsufficientMemory;
+use bracket_engine::certify::faces::contact_faces;
+use bracket_engine::model::AnalysisKind;
+use bracket_engine::model::AnalysisModel;
+use bracket_engine::solve::{Patterns, SolveOptions};
+use bracket_report::console::log::Log;
+use bracket_report::console::progress;
+use bracket_report::result::refusal::refusal_words;
 use std::sync::Arc;
 
 /// The fault of a case whose programs all exceed the memory; `coarser`: advice on a coarser mesh.

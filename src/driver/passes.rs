@@ -1,20 +1,20 @@
 //! The passes of a case: runs both programs on a mesh, keeps the entries of all passes and the
 //! fields of those that are still needed.
 
-use crate::analysis::dispatch::AnalysisPass;
-use crate::diag::{Diagnostic, Diagnostics};
 use crate::driver::limits::Limits;
 use crate::driver::pass_entry::{pass_bounds, pass_entry};
 use crate::driver::pass_run::{self, Terms, run_pass};
-use crate::mesh::TetMesh;
-use crate::model::AnalysisModel;
-use crate::model::file::{Bounds, ModelFile};
-use crate::refine::plan::Prediction;
-use crate::report::console::log::Log;
-use crate::report::markdown::report_data::Table;
-use crate::result::combine::{self, PassResult, best};
-use crate::result::result_file::{CaseResult, FrictionModel, Predicted, SoFar};
-use crate::solve::Patterns;
+use bracket_base::diag::{Diagnostic, Diagnostics};
+use bracket_engine::analysis::dispatch::AnalysisPass;
+use bracket_engine::mesh::TetMesh;
+use bracket_engine::model::AnalysisModel;
+use bracket_engine::model::file::{Bounds, ModelFile};
+use bracket_engine::refine::plan::Prediction;
+use bracket_engine::solve::Patterns;
+use bracket_report::console::log::Log;
+use bracket_report::markdown::report_data::Table;
+use bracket_report::result::combine::{self, PassResult, best};
+use bracket_report::result::result_file::{CaseResult, FrictionModel, Predicted, SoFar};
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -152,8 +152,8 @@ impl<'a> Passes<'a> {
     }
 
     /// Where a mesh for the lower bound alone needs the bound without friction, see
-    /// [`crate::analysis::pass::PassOptions`]: with associated friction it decides the verdict, and
-    /// is computed again where it has not reached the load yet.
+    /// [`bracket_engine::analysis::pass::PassOptions`]: with associated friction it decides the
+    /// verdict, and is computed again where it has not reached the load yet.
     fn answer_from(&self, model: &AnalysisModel) -> Option<f64> {
         let best = best(&self.entries).filter(|_| model.bounds == Bounds::Static)?;
         let safe = self.entries[best.frictionless].entry.safe_lower();

@@ -1,24 +1,24 @@
 //! Pictures of a case: mesh, deformed shape, contact pressures, convergence.
 
-use crate::analysis::dispatch::AnalysisPass;
-use crate::certify::fields::StressField;
-use crate::diag::{Diagnostic, Diagnostics};
 use crate::driver::context::RunContext;
-use crate::math::vec3::{self, V3};
-use crate::model::AnalysisModel;
-use crate::report::draw::Picture;
-use crate::report::draw::contact_map::contact_map;
-use crate::report::draw::plot::{Plot, Series};
-use crate::report::draw::raster::{
+use bracket_base::diag::{Diagnostic, Diagnostics};
+use bracket_base::math::vec3::{self, V3};
+use bracket_engine::analysis::dispatch::AnalysisPass;
+use bracket_engine::certify::fields::StressField;
+use bracket_engine::model::AnalysisModel;
+use bracket_report::draw::Picture;
+use bracket_report::draw::contact_map::contact_map;
+use bracket_report::draw::plot::{Plot, Series};
+use bracket_report::draw::raster::{
     Colours, Deformed, Field, PictureOptions, completed, draw, draw_surface,
 };
-use crate::report::figures::{self, Rounding};
-use crate::report::markdown::report_data::PictureRef;
-use crate::result::file_names::file_stem;
-use crate::result::folder::ResultFolder;
-use crate::result::forces::StaticForces;
-use crate::result::result_file::CaseResult;
-use crate::result::result_file::HistoryRow;
+use bracket_report::figures::{self, Rounding};
+use bracket_report::markdown::report_data::PictureRef;
+use bracket_report::result::file_names::file_stem;
+use bracket_report::result::folder::ResultFolder;
+use bracket_report::result::forces::StaticForces;
+use bracket_report::result::result_file::CaseResult;
+use bracket_report::result::result_file::HistoryRow;
 
 pub(crate) fn png(picture: &Picture) -> Result<Vec<u8>, Diagnostics> {
     picture.to_png().map_err(|e| {

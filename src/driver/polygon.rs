@@ -1,16 +1,16 @@
 //! The capacity polygon, from the passes of its directions.
 
-use crate::analysis::dispatch::AnalysisPass;
-use crate::certify::UpperFactor;
-use crate::certify::half_plane::Axes;
-use crate::certify::half_plane::half_plane;
 use crate::driver::case::Case;
 use crate::driver::passes::Kept;
-use crate::result::demand::ActionValue;
-use crate::result::polygon::{Axis, CapacityPolygon, Point};
-use crate::result::result_file::CaseResult;
-use crate::result::result_file::Upper;
-use crate::spec::polygon::PolygonSpec;
+use bracket_engine::analysis::dispatch::AnalysisPass;
+use bracket_engine::certify::UpperFactor;
+use bracket_engine::certify::half_plane::Axes;
+use bracket_engine::certify::half_plane::half_plane;
+use bracket_joint::spec::polygon::PolygonSpec;
+use bracket_report::result::demand::ActionValue;
+use bracket_report::result::polygon::{Axis, CapacityPolygon, Point};
+use bracket_report::result::result_file::CaseResult;
+use bracket_report::result::result_file::Upper;
 
 /// A polygon whose directions are being analysed.
 pub struct Directions {

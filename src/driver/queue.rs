@@ -1,14 +1,14 @@
 //! The order in which the cases of a run are analysed. Under a time limit each limit analysis gets
 //! its lower bound before any mesh is refined, because a lower bound decides.
 
-use crate::diag::Diagnostics;
 use crate::driver::adaptive::Begun;
 use crate::driver::case::Case;
 use crate::driver::limits::Limits;
 use crate::driver::passes::{Share, lost};
-use crate::report::console::log::Log;
-use crate::solve::Patterns;
-use crate::spec::analysis::AnalysisKind;
+use bracket_base::diag::Diagnostics;
+use bracket_engine::model::AnalysisKind;
+use bracket_engine::solve::Patterns;
+use bracket_report::console::log::Log;
 use std::sync::Arc;
 
 /// Part of a case's share of the time that both bounds on the first mesh may be forecast to take. A

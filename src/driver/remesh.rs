@@ -1,23 +1,24 @@
 //! Makes the next mesh of a case. The geometry of a spec is meshed again with a map of sizes; a
 //! user's mesh is refined by bisection.
 
-use crate::assembly::Assembly;
-use crate::diag::{Diagnostic, Diagnostics, Place};
 use crate::driver::interrupt::Interrupt;
 use crate::driver::meshing::{clean, quality_table};
-use crate::math::mandel::Mandel;
-use crate::mesh::gmsh::Until;
-use crate::mesh::joint::{MeshOptions, mesh_joint};
-use crate::mesh::mmg::Remesher;
-use crate::mesh::size_field::{Edges, FILLING, SizeField};
-use crate::mesh::{TetMesh, bisect, quality};
-use crate::model::file::{ModelFile, Nodes};
-use crate::model::resolve::resolve;
-use crate::model::{AnalysisModel, from_joint};
-use crate::refine::optimum::Design;
-use crate::report::console::log::Log;
-use crate::report::markdown::report_data::Table;
-use crate::spec::analysis::AnalysisKind;
+use bracket_base::diag::{Diagnostic, Diagnostics, Place};
+use bracket_base::math::mandel::Mandel;
+use bracket_engine::mesh::gmsh::Until;
+use bracket_engine::mesh::mmg::Remesher;
+use bracket_engine::mesh::size_field::{Edges, FILLING, SizeField};
+use bracket_engine::mesh::{TetMesh, bisect, quality};
+use bracket_engine::model::AnalysisKind;
+use bracket_engine::model::AnalysisModel;
+use bracket_engine::model::file::{ModelFile, Nodes};
+use bracket_engine::model::resolve::resolve;
+use bracket_engine::refine::optimum::Design;
+use bracket_joint::assembly::Assembly;
+use bracket_joint::meshing::joint::{MeshOptions, mesh_joint};
+use bracket_joint::model_file;
+use bracket_report::console::log::Log;
+use bracket_report::markdown::report_data::Table;
 use std::time::{Duration, Instant};
 
 /// A mesh made by adaptation.
@@ -153,7 +154,7 @@ impl<'a> Remesh<'a> for ByMap<'a> {
         let joint =
             made.ok_or_else(|| Diagnostic::undecided("cli/lost", "no finer mesh was made"))?;
         self.filling = scale.powi(3).clamp(0.3, 1.2);
-        let mut file = from_joint::model_file(
+        let mut file = model_file::model_file(
             self.assembly,
             &joint.mesh,
             &joint.symmetry_used,

@@ -1,8 +1,5 @@
 //! Analyses the cases of a run, writes their files, and finishes the result.
 
-use crate::certify::faces::contact_faces;
-use crate::checks::verdict::{self, Verdict};
-use crate::diag::Diagnostics;
 use crate::driver::adaptive::Adapted;
 use crate::driver::case::{Case, not_analysed, refuse_idle, stems};
 use crate::driver::case_files::write_passes;
@@ -16,21 +13,24 @@ use crate::driver::pictures::{contact_pictures, convergence, deformed_picture, m
 use crate::driver::polygon::Directions;
 use crate::driver::queue::Queue;
 use crate::driver::scene::add_case;
-use crate::model::AnalysisModel;
-use crate::report::console::log::Log;
-use crate::report::draw::polygon;
-use crate::report::markdown::report_data::ModelTraits;
-use crate::report::markdown::report_data::PictureRef;
-use crate::report::page::scene::Scene;
-use crate::result::demand::Demand;
-use crate::result::folder::ResultFolder;
-use crate::result::forces::static_forces;
-use crate::result::preload::mark_halved;
-use crate::result::result_file::CaseResult;
-use crate::result::result_file::Quantity;
-use crate::result::result_file::ResultFile;
-use crate::result::stiffness::joint_stiffness;
-use crate::solve::Patterns;
+use bracket_base::diag::Diagnostics;
+use bracket_codes::verdict::{self, Verdict};
+use bracket_engine::certify::faces::contact_faces;
+use bracket_engine::model::AnalysisModel;
+use bracket_engine::solve::Patterns;
+use bracket_report::console::log::Log;
+use bracket_report::draw::polygon;
+use bracket_report::markdown::report_data::ModelTraits;
+use bracket_report::markdown::report_data::PictureRef;
+use bracket_report::page::scene::Scene;
+use bracket_report::result::demand::Demand;
+use bracket_report::result::folder::ResultFolder;
+use bracket_report::result::forces::static_forces;
+use bracket_report::result::preload::mark_halved;
+use bracket_report::result::result_file::CaseResult;
+use bracket_report::result::result_file::Quantity;
+use bracket_report::result::result_file::ResultFile;
+use bracket_report::result::stiffness::joint_stiffness;
 use std::sync::Arc;
 
 /// Analyses the cases, writes fields, result and report, and logs the answer.

@@ -1,21 +1,21 @@
 //! The fields of a case for the 3-D view: motion of the kinematic program, stress and contact
 //! pressure of the static one, each on the mesh of its own pass.
 
-use crate::analysis::dispatch::AnalysisPass;
-use crate::analysis::limit::SUBDIVISIONS;
-use crate::certify::faces::contact_faces;
-use crate::certify::fields::StressField;
-use crate::certify::limit_certificate::dissipation_densities;
-use crate::certify::tractions::contact_tractions;
 use crate::driver::collapse_pictures::{at_nodes, limiting_densities};
 use crate::driver::passes::Kept;
-use crate::math::mandel;
-use crate::math::vec3;
-use crate::mesh::tet::FACES;
-use crate::model::AnalysisModel;
-use crate::report::draw::options::Colours;
-use crate::report::figures::{Rounding, significant};
-use crate::report::page::scene::{Field, Scene, Values};
+use bracket_base::math::mandel;
+use bracket_base::math::vec3;
+use bracket_engine::analysis::dispatch::AnalysisPass;
+use bracket_engine::analysis::limit::SUBDIVISIONS;
+use bracket_engine::certify::faces::contact_faces;
+use bracket_engine::certify::fields::StressField;
+use bracket_engine::certify::limit_certificate::dissipation_densities;
+use bracket_engine::certify::tractions::contact_tractions;
+use bracket_engine::mesh::tet::FACES;
+use bracket_engine::model::AnalysisModel;
+use bracket_report::draw::options::Colours;
+use bracket_report::figures::{Rounding, significant};
+use bracket_report::page::scene::{Field, Scene, Values};
 
 /// Adds the fields of a case: `upper` has the best kinematic field, `stress` is that of the lower
 /// bound with its load factor, on the mesh of `lower`.
@@ -116,7 +116,7 @@ fn von_mises(stress: &StressField) -> Vec<f64> {
 
 /// Contact faces with the pressure at their vertices \[MPa\].
 fn pressures(model: &AnalysisModel, stress: &StressField) -> Vec<([u32; 3], [f64; 3])> {
-    let of = |face: crate::certify::faces::ContactFace<'_>| {
+    let of = |face: bracket_engine::certify::faces::ContactFace<'_>| {
         let (n, _) = face.normal(model);
         let traction = contact_tractions(model, stress, &face, None);
         (face.nodes_a, traction.map(|r| vec3::dot(r, n)))

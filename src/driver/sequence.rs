@@ -1,19 +1,19 @@
 //! The meshes of a case after the first, each made where the last pass shows the largest error.
 
-use crate::analysis::memory::room;
-use crate::analysis::program::Program;
-use crate::diag::Diagnostics;
 use crate::driver::passes::{Mesh, Passes};
 use crate::driver::remesh::{Made, Remesh};
-use crate::model::AnalysisModel;
-use crate::model::file::Bounds;
-use crate::refine::plan::{self, Budget, Next, Prediction, Step, Stop};
-use crate::refine::rates;
-use crate::refine::track::{self, Track};
-use crate::report::console::pace::about;
-use crate::report::figures::{Rounding, fixed, percent_up};
-use crate::result::history::HistoryRow;
-use crate::result::result_file::{FrictionModel, Upper};
+use bracket_base::diag::Diagnostics;
+use bracket_engine::analysis::memory::room;
+use bracket_engine::analysis::program::Program;
+use bracket_engine::model::AnalysisModel;
+use bracket_engine::model::file::Bounds;
+use bracket_engine::refine::plan::{self, Budget, Next, Prediction, Step, Stop};
+use bracket_engine::refine::rates;
+use bracket_engine::refine::track::{self, Track};
+use bracket_report::console::pace::about;
+use bracket_report::figures::{Rounding, fixed, percent_up};
+use bracket_report::result::history::HistoryRow;
+use bracket_report::result::result_file::{FrictionModel, Upper};
 
 /// Meshes made one after the other by one remesher.
 pub struct Sequence<'a> {

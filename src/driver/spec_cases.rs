@@ -1,19 +1,19 @@
 //! The cases of a spec on the mesh of its joint.
 
-use crate::assembly::assembly::SymmetryPlane;
-use crate::diag::Diagnostics;
 use crate::driver::case::Case;
 use crate::driver::interrupt::Interrupt;
 use crate::driver::remesh::{ByMap, Places};
 use crate::driver::spec_file::SpecFile;
-use crate::mesh::TetMesh;
-use crate::mesh::joint::{JointMesh, MeshOptions};
-use crate::model::file::ModelFile;
-use crate::model::from_joint;
-use crate::model::resolve::resolve;
-use crate::result::file_names::stem_of;
-use crate::spec::analysis::AnalysisKind;
-use crate::spec::polygon::PolygonSpec;
+use bracket_base::diag::Diagnostics;
+use bracket_engine::mesh::TetMesh;
+use bracket_engine::model::AnalysisKind;
+use bracket_engine::model::file::ModelFile;
+use bracket_engine::model::resolve::resolve;
+use bracket_joint::assembly::assembly::SymmetryPlane;
+use bracket_joint::meshing::joint::{JointMesh, MeshOptions};
+use bracket_joint::model_file;
+use bracket_joint::spec::polygon::PolygonSpec;
+use bracket_report::result::file_names::stem_of;
 
 /// A load case of a spec under one kind of analysis.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,7 +37,7 @@ pub fn asked_cases(
 ) -> Vec<AskedCase> {
     let loads = &input.spec.value.loads;
     let of_polygon = |name: &String| loads.iter().any(|l| l.of_polygon && l.name == *name);
-    let names = from_joint::cases(&input.joint.assembly);
+    let names = model_file::cases(&input.joint.assembly);
     let of_name = |name: &String| {
         let of_kind = |(k, kind): (usize, &AnalysisKind)| AskedCase {
             name: name.clone(),
@@ -65,7 +65,7 @@ impl AskedCase {
         mesh: &TetMesh,
         symmetry_used: &[SymmetryPlane],
     ) -> ModelFile {
-        let file = from_joint::model_file(
+        let file = model_file::model_file(
             &input.joint.assembly,
             mesh,
             symmetry_used,

@@ -1,13 +1,13 @@
 //! Checks of a spec before the mesher starts.
 
-use crate::diag::{Diagnostic, Diagnostics};
 use crate::driver::spec_file::SpecFile;
-use crate::result::file_names::{file_stem, stem_of};
-use crate::spec::analysis::AnalysisKind;
-use crate::spec::connection::ConnectionSpec;
-use crate::spec::loads::LoadSpec;
-use crate::spec::yaml::Parsed;
-use crate::units::limits;
+use bracket_base::diag::{Diagnostic, Diagnostics};
+use bracket_base::units::limits;
+use bracket_base::yaml::Parsed;
+use bracket_engine::model::AnalysisKind;
+use bracket_joint::spec::connection::ConnectionSpec;
+use bracket_joint::spec::loads::LoadSpec;
+use bracket_report::result::file_names::{file_stem, stem_of};
 
 /// All checks of a spec for these kinds of analysis; `kinds` is empty for the hand checks alone.
 pub fn check_input(input: &SpecFile, kinds: &[AnalysisKind]) -> Result<(), Diagnostics> {

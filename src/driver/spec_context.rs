@@ -1,26 +1,26 @@
 //! The context of a connection spec: title block, resolved values, catalogue rows, drawings.
 
-use crate::assembly::assembly::{FaceSupport, PartMaterial, Surface};
-use crate::assembly::{Assembly, EndPlate};
-use crate::checks::check::number;
-use crate::checks::end_plate::{moment_axial, parts_list, stocked_length, welds_list};
-use crate::checks::{HandChecks, joint_checks};
-use crate::diag::Diagnostics;
 use crate::driver::context::RunContext;
 use crate::driver::demands::demands;
 use crate::driver::spec_file::SpecFile;
-use crate::report::draw::contact_map::AXES;
-use crate::report::draw::{drawing, dxf, moment_axial, moment_rotation, parts_drawing};
-use crate::report::markdown::demand::on_planes;
-use crate::report::markdown::report_data::CatalogueRow;
-use crate::report::markdown::report_data::PictureRef;
-use crate::report::markdown::report_data::ResolvedValue;
-use crate::report::markdown::report_data::Table;
-use crate::report::markdown::schedule;
-use crate::report::words::Words;
-use crate::spec::connection::{ConnectionSpec, Language};
-use crate::spec::loads::ActionPoint;
-use crate::spec::yaml;
+use bracket_base::diag::Diagnostics;
+use bracket_base::yaml;
+use bracket_codes::check::number;
+use bracket_codes::end_plate::{moment_axial, parts_list, stocked_length, welds_list};
+use bracket_codes::{HandChecks, joint_checks};
+use bracket_joint::assembly::assembly::{FaceSupport, PartMaterial, Surface};
+use bracket_joint::assembly::{Assembly, EndPlate};
+use bracket_joint::spec::connection::{ConnectionSpec, Language};
+use bracket_joint::spec::loads::ActionPoint;
+use bracket_report::draw::contact_map::AXES;
+use bracket_report::draw::{drawing, dxf, moment_axial, moment_rotation, parts_drawing};
+use bracket_report::markdown::demand::on_planes;
+use bracket_report::markdown::report_data::CatalogueRow;
+use bracket_report::markdown::report_data::PictureRef;
+use bracket_report::markdown::report_data::ResolvedValue;
+use bracket_report::markdown::report_data::Table;
+use bracket_report::markdown::schedule;
+use bracket_report::words::Words;
 use serde_json::json;
 use std::path::Path;
 

@@ -1,14 +1,14 @@
 //! Reads a connection spec from its file, with its catalogue and its joint.
 
-use crate::assembly::template_file::{Templates, stored_name};
-use crate::assembly::{self, Joint, LoadedTemplate};
-use crate::catalog::{Catalog, CatalogError};
-use crate::diag::{Diagnostic, Diagnostics};
-use crate::result::folder::ResultFolder;
-use crate::spec::connection::ConnectionSpec;
-use crate::spec::polygon::PolygonFault;
-use crate::spec::yaml::{self, Parsed};
-use crate::text_file;
+use bracket_base::diag::{Diagnostic, Diagnostics};
+use bracket_base::text_file;
+use bracket_base::yaml::{self, Parsed};
+use bracket_joint::assembly::template_file::{Templates, stored_name};
+use bracket_joint::assembly::{self, Joint, LoadedTemplate};
+use bracket_joint::catalog::{Catalog, CatalogError};
+use bracket_joint::spec::connection::ConnectionSpec;
+use bracket_joint::spec::polygon::PolygonFault;
+use bracket_report::result::folder::ResultFolder;
 use std::path::Path;
 
 /// A spec, its text and the joint it describes.

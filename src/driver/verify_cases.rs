@@ -1,7 +1,6 @@
 //! What the spec of a result says about the result as a whole: its cases, symmetry, meshes, models
 //! and polygon, and the hash of its input.
 
-use crate::diag::Diagnostics;
 use crate::driver::case::not_analysed;
 use crate::driver::input_hash::{checked_hash, spec_hash};
 use crate::driver::meshing::Extent;
@@ -10,15 +9,16 @@ use crate::driver::spec_cases::{AskedCase, asked_cases};
 use crate::driver::spec_checks::analysis_kinds;
 use crate::driver::spec_file::SpecFile;
 use crate::driver::verify_mesh::Meshes;
-use crate::geometry::Scene;
-use crate::report::markdown::report_data::ReportData;
-use crate::result::demand::ActionValue;
-use crate::result::file_names::entry_stem;
-use crate::result::result_file::ResultFile;
-use crate::result::verify::first_difference;
-use crate::spec::analysis::AnalysisKind;
-use crate::spec::polygon::PolygonSpec;
-use crate::spec::yaml;
+use bracket_base::diag::Diagnostics;
+use bracket_base::yaml;
+use bracket_engine::model::AnalysisKind;
+use bracket_joint::geometry::Scene;
+use bracket_joint::spec::polygon::PolygonSpec;
+use bracket_report::markdown::report_data::ReportData;
+use bracket_report::result::demand::ActionValue;
+use bracket_report::result::file_names::entry_stem;
+use bracket_report::result::result_file::ResultFile;
+use bracket_report::result::verify::first_difference;
 use serde_json::{Value, json};
 use std::path::Path;
 

@@ -1,19 +1,19 @@
 //! The verification of a result folder: its digests, the bounds from their fields, and what follows
 //! from the input.
 
-use crate::diag::{Diagnostic, Diagnostics};
 use crate::driver::spec_file::{self, SpecFile};
 use crate::driver::verify_cases::{frame_differences, mirror};
 use crate::driver::verify_mesh::{mesh_path, model_paths, read_model};
 use crate::driver::verify_model::of_model;
 use crate::driver::verify_spec::of_spec;
-use crate::model::file::ModelFile;
-use crate::report::markdown::report_data::{REPORT_DATA_FILE, ReportData};
-use crate::result::digests::{self, DIGESTS_FILE, Digests};
-use crate::result::file_names::entry_stem;
-use crate::result::result_file::{RESULT_FILE, ResultFile};
-use crate::result::verify::{self, Finding, Reference};
-use crate::spec::yaml;
+use bracket_base::diag::{Diagnostic, Diagnostics};
+use bracket_base::yaml;
+use bracket_engine::model::file::ModelFile;
+use bracket_report::markdown::report_data::{REPORT_DATA_FILE, ReportData};
+use bracket_report::result::digests::{self, DIGESTS_FILE, Digests};
+use bracket_report::result::file_names::entry_stem;
+use bracket_report::result::result_file::{RESULT_FILE, ResultFile};
+use bracket_report::result::verify::{self, Finding, Reference};
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::path::{Component, Path};

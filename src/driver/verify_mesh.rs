@@ -1,15 +1,15 @@
 //! The meshes and models of a result, compared with the joint of its spec.
 
-use crate::diag::{Diagnostic, Diagnostics};
 use crate::driver::spec_cases::AskedCase;
 use crate::driver::spec_file::SpecFile;
-use crate::geometry::Scene;
-use crate::mesh::naming::{boundary_differences, name_and_check};
-use crate::mesh::{NamedFaces, TetMesh, msh};
-use crate::model::file::ModelFile;
-use crate::result::verify::first_difference;
-use crate::spec::yaml;
-use crate::text_file;
+use bracket_base::diag::{Diagnostic, Diagnostics};
+use bracket_base::text_file;
+use bracket_base::yaml;
+use bracket_engine::mesh::{NamedFaces, TetMesh, msh};
+use bracket_engine::model::file::ModelFile;
+use bracket_joint::geometry::Scene;
+use bracket_joint::meshing::naming::{boundary_differences, name_and_check};
+use bracket_report::result::verify::first_difference;
 use serde_json::json;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};

@@ -1,21 +1,21 @@
 //! What the model file of a result gives beside its bounds.
 
-use crate::checks::verdict::Verdict;
-use crate::diag::Diagnostics;
 use crate::driver::analyse_model::GIVEN_MESH;
 use crate::driver::input_hash::model_hash;
 use crate::driver::run_cases::safe_utilisation;
 use crate::driver::verify_mesh::{mesh_path, model_paths, read_model};
 use crate::driver::verify_spec::compared;
-use crate::mesh::merge::merge_coincident;
-use crate::mesh::msh;
-use crate::mesh::shape::Shape;
-use crate::model::file::{ModelFile, Nodes};
-use crate::report::markdown::report_data::ReportData;
-use crate::result::file_names::file_stem;
-use crate::result::result_file::ResultFile;
-use crate::result::verify::first_difference;
-use crate::text_file;
+use bracket_base::diag::Diagnostics;
+use bracket_base::text_file;
+use bracket_codes::verdict::Verdict;
+use bracket_engine::mesh::merge::merge_coincident;
+use bracket_engine::mesh::msh;
+use bracket_engine::mesh::shape::Shape;
+use bracket_engine::model::file::{ModelFile, Nodes};
+use bracket_report::markdown::report_data::ReportData;
+use bracket_report::result::file_names::file_stem;
+use bracket_report::result::result_file::ResultFile;
+use bracket_report::result::verify::first_difference;
 use serde_json::json;
 use std::path::{Path, PathBuf};
 

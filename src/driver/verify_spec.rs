@@ -1,16 +1,16 @@
 //! What `verify` computes again from the spec of a result: the hand checks, the demands and the
 //! verdicts.
 
-use crate::checks::HandChecks;
 use crate::driver::demands::demands;
 use crate::driver::finish::judge_result;
 use crate::driver::run_cases::safe_utilisation;
 use crate::driver::spec_context::spec_checks;
 use crate::driver::spec_file::SpecFile;
-use crate::result::demand::Demand;
-use crate::result::result_file::ResultFile;
-use crate::result::stiffness::joint_stiffness;
-use crate::result::verify::first_difference;
+use bracket_codes::HandChecks;
+use bracket_report::result::demand::Demand;
+use bracket_report::result::result_file::ResultFile;
+use bracket_report::result::stiffness::joint_stiffness;
+use bracket_report::result::verify::first_difference;
 use serde_json::{Value, json};
 
 /// Differences of a result of a spec.

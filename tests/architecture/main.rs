@@ -13,15 +13,75 @@ use std::fs;
 use text::{columns, machine_path, root, rust_files, tracked};
 use tokens::{names_crate, tokens, without_tests};
 
-/// The stages in the order of the data flow. A stage may use itself and earlier stages.
-const STAGES: [&str; 19] = [
-    "spec", "catalog", "assembly", "geometry", "mesh", "elements", "model", "certify", "programs",
-    "solve", "recover", "analysis", "refine", "checks", "result", "report", "driver", "batch",
-    "cli",
-];
+/// A crate of the workspace.
+struct House {
+    /// Folder of its `src`; `""` is the top level.
+    folder: &'static str,
+    /// Name of its package.
+    package: &'static str,
+    /// Its rooms in the order of the data flow. A room may use itself and earlier rooms.
+    rooms: &'static [&'static str],
+}
 
-/// Modules below all stages. Any stage may use them. They may use only each other.
-const FOUNDATION: [&str; 5] = ["diag", "diag_render", "text_file", "units", "math"];
+/// The crates in the order of the arrows. A crate may use earlier crates only.
+const HOUSES: [House; 6] = [
+    House {
+        folder: "crates/base/",
+        package: "bracket-base",
+        rooms: &["math", "diag", "units", "text_file", "diag_render", "later", "yaml"],
+    },
+    House {
+        folder: "crates/engine/",
+        package: "bracket-engine",
+        rooms: &[
+            "mesh", "elements", "model", "certify", "programs", "solve", "recover", "analysis",
+            "refine",
+        ],
+    },
+    House {
+        folder: "crates/joint/",
+        package: "bracket-joint",
+        rooms: &["spec", "catalog", "assembly", "geometry", "meshing", "model_file"],
+    },
+    House {
+        folder: "crates/codes/",
+        package: "bracket-codes",
+        rooms: &[
+            "check",
+            "worked",
+            "verdict",
+            "error",
+            "eurocode",
+            "classification",
+            "ductility",
+            "component_method",
+            "end_plate",
+            "whole_joint",
+            "judgement",
+        ],
+    },
+    House {
+        folder: "crates/report/",
+        package: "bracket-report",
+        rooms: &[
+            "escaped",
+            "lettering",
+            "words",
+            "result",
+            "figures",
+            "summary",
+            "markdown",
+            "draw",
+            "study",
+            "sheet",
+            "console",
+            "page",
+            "pdf",
+            "printed",
+        ],
+    },
+    House { folder: "", package: "bracket", rooms: &["driver", "batch", "cli"] },
+];
 
 /// Maximum length of a Rust file in lines.
 const LONGEST: usize = 450;
@@ -33,37 +93,39 @@ const ARGUED: [(&str, &str); 1] =
 /// Maximum length of a line in characters.
 const WIDEST: usize = 100;
 
-/// Crates that only certain places may name, and these places.
-const CONFINED: [(&str, &[&str]); 7] = [
-    ("serde_yaml", &["src/spec/yaml"]),
-    ("saphyr", &["src/spec/yaml"]),
-    ("parry3d_f64", &["src/geometry/proximity"]),
-    ("clarabel", &["src/solve/"]),
-    ("faer", &["src/solve/sparse/dense", "src/math/dense"]),
-    ("microlp", &["src/checks/component_method/equilibrium"]),
+/// Foreign crates that only certain places may name, and these places.
+const CONFINED: [(&str, &[&str]); 8] = [
+    ("serde_yaml", &["crates/base/src/yaml"]),
+    ("saphyr", &["crates/base/src/yaml"]),
+    ("parry3d_f64", &["crates/joint/src/geometry/proximity"]),
+    ("clarabel", &["crates/engine/src/solve/"]),
+    ("faer", &["crates/engine/src/solve/sparse/dense", "crates/base/src/math/dense"]),
+    ("microlp", &["crates/codes/src/component_method/equilibrium"]),
+    ("typst", &["crates/report/src/pdf/"]),
     ("clap", &["src/cli/", "src/main.rs"]),
 ];
 
-/// The source files of the library with their text.
-fn library() -> Vec<(String, String)> {
-    rust_files(&["src"])
-}
+impl House {
+    /// The source files with their text, named as seen from the folder of the crate.
+    fn files(&self) -> Vec<(String, String)> {
+        let named = |(file, text): (String, String)| (file[self.folder.len()..].to_owned(), text);
+        rust_files(&[&format!("{}src", self.folder)]).into_iter().map(named).collect()
+    }
 
-/// The reason why code in `room` may not use `path`, which lies in the room `target`. `None` if it
-/// may.
-fn backward(room: &str, target: &str, path: &str) -> Option<String> {
-    if FOUNDATION.contains(&target) {
-        return None;
+    fn modules(&self) -> Modules {
+        Modules::read(&self.files())
     }
-    if FOUNDATION.contains(&room) {
-        return Some(format!("{room} lies below every stage and uses {path}"));
-    }
-    let place = |name: &str| STAGES.iter().position(|s| *s == name);
-    match (place(room), place(target)) {
-        (Some(from), Some(to)) if to <= from => None,
-        (Some(_), Some(_)) => Some(format!("{room} uses {path} of {target}, a later stage")),
-        (None, _) => Some(format!("{room} is no stage of ARCHITECTURE.md")),
-        (_, None) => Some(format!("{room} uses {path}, which is in no stage of ARCHITECTURE.md")),
+
+    /// The reason why code in `room` may not use `path`, which lies in the room `target`. `None` if
+    /// it may.
+    fn backward(&self, room: &str, target: &str, path: &str) -> Option<String> {
+        let place = |name: &str| self.rooms.iter().position(|s| *s == name);
+        match (place(room), place(target)) {
+            (Some(from), Some(to)) if to <= from => None,
+            (Some(_), Some(_)) => Some(format!("{room} uses {path} of {target}, a later room")),
+            (None, _) => Some(format!("{room} is no room of ARCHITECTURE.md")),
+            (_, None) => Some(format!("{room} uses {path}, which is in no room of it")),
+        }
     }
 }
 
@@ -72,12 +134,37 @@ fn assert_none(faults: Vec<String>) {
 }
 
 #[test]
-fn dependencies_point_one_way() {
+fn rooms_use_earlier_rooms_only() {
     let mut faults = Vec::new();
-    for (module, used) in Modules::read(&library()).rooms() {
-        let room = module.split("::").next().unwrap();
-        for (target, path) in used {
-            faults.extend(backward(room, &target, &path).map(|why| format!("{module}: {why}")));
+    for house in &HOUSES {
+        for (module, used) in house.modules().rooms() {
+            let room = module.split("::").next().unwrap();
+            for (target, path) in used {
+                let why = house.backward(room, &target, &path);
+                faults.extend(why.map(|why| format!("{}{module}: {why}", house.folder)));
+            }
+        }
+    }
+    assert_none(faults);
+}
+
+/// Cargo refuses circles of crates. This keeps their order: the engine knows no joint, the joint no
+/// design code.
+#[test]
+fn crates_use_earlier_crates_only() {
+    let mut faults = Vec::new();
+    for (i, house) in HOUSES.iter().enumerate() {
+        let file = format!("{}Cargo.toml", house.folder);
+        let manifest = fs::read_to_string(root().join(&file)).expect("manifest");
+        let (_, package) = manifest.split_once("[package]").expect("a package");
+        assert!(package.contains(&format!("name = \"{}\"", house.package)), "{file}");
+        let (_, after) = package.split_once("[dependencies]").expect("dependencies");
+        let known = |name: &str| HOUSES[..i].iter().any(|h| h.package == name);
+        for line in after.lines().filter(|l| l.starts_with("bracket")) {
+            let name = line.split(['.', ' ', '=']).next().unwrap();
+            if !known(name) {
+                faults.push(format!("{file} uses {name}, which is not an earlier crate"));
+            }
         }
     }
     assert_none(faults);
@@ -85,16 +172,20 @@ fn dependencies_point_one_way() {
 
 #[test]
 fn no_circles_of_imports() {
-    let graph = Modules::read(&library()).graph();
-    assert!(graph.len() > 100, "the modules are found");
-    assert_none(circles(&graph).iter().map(|circle| described(&graph, circle)).collect());
+    let mut faults = Vec::new();
+    for house in &HOUSES {
+        let graph = house.modules().graph();
+        assert!(graph.len() > 15, "the modules of {} are found", house.package);
+        faults.extend(circles(&graph).iter().map(|circle| described(&graph, circle)));
+    }
+    assert_none(faults);
 }
 
 /// The certificates share no code with the solver or with the programs that it solves, not even
 /// through other modules.
 #[test]
 fn certify_is_independent_of_the_solver_and_its_programs() {
-    let graph = Modules::read(&library()).graph();
+    let graph = HOUSES[1].modules().graph();
     let mut faults = Vec::new();
     let certify: Vec<&String> = graph.keys().filter(|m| m.starts_with("certify::")).collect();
     assert!(!certify.is_empty(), "the certificates are found");
@@ -111,7 +202,7 @@ fn certify_is_independent_of_the_solver_and_its_programs() {
 #[test]
 fn files_stay_short() {
     let mut faults = Vec::new();
-    for (file, text) in rust_files(&["src", "tests", "benches"]) {
+    for (file, text) in rust_files(&["crates", "src", "tests", "benches"]) {
         let lines = text.lines().count();
         let argued = ARGUED.iter().any(|(f, _)| *f == file);
         if lines > LONGEST && !argued {
@@ -129,7 +220,7 @@ fn files_stay_short() {
 #[test]
 fn lines_stay_narrow() {
     let mut faults = Vec::new();
-    for (file, text) in rust_files(&["src", "tests", "benches"]) {
+    for (file, text) in rust_files(&["crates", "src", "tests", "benches"]) {
         for (i, line) in text.lines().enumerate().filter(|(_, l)| columns(l) > WIDEST) {
             faults.push(format!("{file} line {}: {} columns", i + 1, columns(line)));
         }
@@ -141,14 +232,17 @@ fn lines_stay_narrow() {
 /// use crates as oracles that the code may not use.
 #[test]
 fn crates_stay_in_their_rooms() {
-    let files = library();
-    let modules = Modules::read(&files);
     let mut faults = Vec::new();
-    for (file, text) in files.iter().filter(|(file, _)| modules.contains(&module_of(file))) {
-        let (code, _) = without_tests(&tokens(text));
-        for (name, places) in CONFINED {
-            if !places.iter().any(|p| file.starts_with(p)) && names_crate(&code, name) {
-                faults.push(format!("{file} names `{name}`, which belongs to {places:?}"));
+    for house in &HOUSES {
+        let files = house.files();
+        let modules = Modules::read(&files);
+        for (file, text) in files.iter().filter(|(file, _)| modules.contains(&module_of(file))) {
+            let (code, _) = without_tests(&tokens(text));
+            let file = format!("{}{file}", house.folder);
+            for (name, places) in CONFINED {
+                if !places.iter().any(|p| file.starts_with(p)) && names_crate(&code, name) {
+                    faults.push(format!("{file} names `{name}`, which belongs to {places:?}"));
+                }
             }
         }
     }
@@ -167,20 +261,27 @@ fn no_machine_paths_in_text() {
     assert_none(faults);
 }
 
-/// `ARCHITECTURE.md` shows every room that exists.
+/// `ARCHITECTURE.md` shows every crate and every room.
 #[test]
-fn the_map_names_every_module() {
+fn the_map_names_every_room() {
     let map = fs::read_to_string(root().join("ARCHITECTURE.md")).expect("ARCHITECTURE.md");
-    let library = fs::read_to_string(root().join("src/lib.rs")).expect("src/lib.rs");
     let mut faults = Vec::new();
-    for module in
-        library.lines().filter_map(|l| l.strip_prefix("pub mod ")).map(|m| m.trim_end_matches(';'))
-    {
-        if !STAGES.contains(&module) && !FOUNDATION.contains(&module) {
-            faults.push(format!("src/lib.rs has `{module}`, which this test does not know"));
-        }
-        if ![format!("{module}/"), format!("{module}.rs")].iter().any(|m| map.contains(m)) {
-            faults.push(format!("ARCHITECTURE.md does not show `{module}`"));
+    for house in &HOUSES {
+        let file = format!("{}src/lib.rs", house.folder);
+        let library = fs::read_to_string(root().join(&file)).expect("lib.rs");
+        let shown = map.lines().find(|l| l.starts_with(&format!("| `{}src/` |", house.folder)));
+        let Some(shown) = shown else {
+            faults.push(format!("ARCHITECTURE.md has no row for `{}src/`", house.folder));
+            continue;
+        };
+        let modules = library.lines().filter_map(|l| l.strip_prefix("pub mod "));
+        for module in modules.map(|m| m.trim_end_matches(';')) {
+            if !house.rooms.contains(&module) {
+                faults.push(format!("{file} has `{module}`, which this test does not know"));
+            }
+            if !shown.contains(&format!("`{module}`")) {
+                faults.push(format!("ARCHITECTURE.md does not show `{module}` of {file}"));
+            }
         }
     }
     assert_none(faults);

@@ -206,7 +206,9 @@ impl Modules {
         let named = |module: &Module| {
             let mut rooms = BTreeSet::new();
             for (path, target) in self.uses(module) {
-                for room in [path.first(), target.path.first()].into_iter().flatten() {
+                // a name that the root re-exports starts in no room
+                let start = path.get(..1).filter(|first| self.0.contains_key(*first));
+                for room in [start.map(|s| &s[0]), target.path.first()].into_iter().flatten() {
                     rooms.insert((room.clone(), path.join("::")));
                 }
             }

@@ -10,9 +10,9 @@ use bracket::certify::PlasticField;
 use bracket::certify::fields::StressField;
 use bracket::certify::plastic_field::PlasticTet;
 use bracket::mesh::TetMesh;
+use bracket::model::AnalysisKind;
 use bracket::model::AnalysisModel;
 use bracket::solve::SolveStatus;
-use bracket::spec::analysis::AnalysisKind;
 
 /// A model from YAML without `mesh`, `analysis` and `materials`.
 pub fn plastic_model(yaml: &str, mesh: TetMesh) -> AnalysisModel {

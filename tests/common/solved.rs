@@ -29,7 +29,7 @@ pub fn resolve(yaml: &str, mesh: TetMesh) -> Result<AnalysisModel, Diagnostics> 
 /// The same for another kind of analysis.
 pub fn resolve_as(kind: &str, yaml: &str, mesh: TetMesh) -> Result<AnalysisModel, Diagnostics> {
     let text = format!("mesh: in memory\nanalysis: {kind}\n{yaml}");
-    let parsed = bracket::spec::yaml::parse::<ModelFile>(&text, Path::new("test.yaml"))?;
+    let parsed = bracket::yaml::parse::<ModelFile>(&text, Path::new("test.yaml"))?;
     bracket::model::resolve::resolve(&parsed.value, mesh, &|_| Place::default())
 }
 

@@ -6,9 +6,9 @@ use bracket::analysis::elastic;
 use bracket::analysis::event::silent;
 use bracket::analysis::pass::PassOptions;
 use bracket::diag::Place;
+use bracket::model::AnalysisKind;
 use bracket::model::resolve::resolve;
 use bracket::result::forces::{StaticForces, static_forces};
-use bracket::spec::analysis::AnalysisKind;
 
 /// Forces in an elastic T-stub with two bolts under the load. `mirror` lists the symmetry planes of
 /// its mesh.

@@ -9,12 +9,13 @@ use bracket::assembly::Joint;
 use bracket::catalog::Catalog;
 use bracket::diag::Place;
 use bracket::mesh::TetMesh;
-use bracket::mesh::joint::{MeshOptions, mesh_joint};
+use bracket::meshing::joint::{MeshOptions, mesh_joint};
+use bracket::model::AnalysisKind;
 use bracket::model::file::ModelFile;
-use bracket::model::from_joint::{cases, model_file};
 use bracket::model::resolve::resolve;
-use bracket::spec::analysis::AnalysisKind;
-use bracket::spec::{ConnectionSpec, yaml};
+use bracket::model_file::{cases, model_file};
+use bracket::spec::ConnectionSpec;
+use bracket::yaml;
 use std::path::Path;
 
 /// The joint that a spec describes.

@@ -15,8 +15,8 @@
 
 use crate::built::{bounds, joint, model};
 use bracket::mesh::TetMesh;
+use bracket::model::AnalysisKind;
 use bracket::model::file::{Axis, ModelFile, Motion};
-use bracket::spec::analysis::AnalysisKind;
 
 const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
 const MOTIONS: [Motion; 6] =

@@ -8,8 +8,8 @@ use bracket::analysis::energy_pass::EnergyPass;
 use bracket::analysis::event::silent;
 use bracket::analysis::pass::PassOptions;
 use bracket::diag::Place;
+use bracket::model::AnalysisKind;
 use bracket::model::resolve::resolve;
-use bracket::spec::analysis::AnalysisKind;
 use serde_json::Value;
 
 /// 0.7 f_ub A_s of an M16 8.8 \[N\].

@@ -6,10 +6,10 @@ use bracket::analysis::event::silent;
 use bracket::analysis::pass::PassOptions;
 use bracket::checks::{JointStiffness, hand_checks};
 use bracket::diag::Place;
+use bracket::model::AnalysisKind;
 use bracket::model::resolve::resolve;
 use bracket::result::energy_case::case_result;
 use bracket::result::stiffness::joint_stiffness;
-use bracket::spec::analysis::AnalysisKind;
 
 /// The stiffness of the first load case's joint, from an elastic analysis on a coarse mesh.
 fn stiffness(name: &str, spec: &str) -> Option<JointStiffness> {

@@ -1,7 +1,7 @@
 //! B15, F1: T-stubs from their template, against the beam model of EN 1993-1-8 (6.2.4).
 
 use crate::built::{bounds, joint, model};
-use bracket::spec::analysis::AnalysisKind;
+use bracket::model::AnalysisKind;
 
 /// B15: gauge 100, web 10, no fillet, width 160, length 100, m = 45, n = 30, f_y = 235 (up to 40
 /// mm), F_t = 100 kN per bolt: M16 8.8 with γ_M2 chosen so that 0.9 · 800 · 157/γ_M2 = 100 kN.

@@ -7,9 +7,9 @@ use bracket::analysis::limit;
 use bracket::analysis::pass::PassOptions;
 use bracket::certify::welds::demands;
 use bracket::diag::Place;
+use bracket::model::AnalysisKind;
 use bracket::model::file::{Law, ModelFile};
 use bracket::model::resolve::resolve;
-use bracket::spec::analysis::AnalysisKind;
 
 /// Two IPE 200 with thick plates in tension; throats in mm.
 fn splice(flange: f64, web: f64, steel: &str) -> String {

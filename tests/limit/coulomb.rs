@@ -9,9 +9,9 @@ use bracket::analysis::limit::CoulombEstimate;
 use bracket::analysis::limit::LimitPass;
 use bracket::elements::hencky_kinematic::Flow;
 use bracket::model::AnalysisModel;
+use bracket::model::FrictionLaw;
 use bracket::programs::Kinematic;
 use bracket::solve::{Patterns, SolveOptions, SolveStatus, condensed};
-use bracket::spec::friction::FrictionLaw;
 
 /// The model under Coulomb's law, with an estimate of its load factor.
 fn under_coulomb(mut m: AnalysisModel) -> AnalysisModel {

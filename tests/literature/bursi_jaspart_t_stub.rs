@@ -23,8 +23,8 @@ use bracket::assembly::assembly::{
     FaceRule, InterfaceRule, MidPlane, OutlineEdge, Part, PartMaterial, PartRole, Solid, Surface,
     SymmetryPlane,
 };
-use bracket::mesh::joint::{MeshOptions, mesh_joint};
-use bracket::spec::friction::FrictionLaw;
+use bracket::meshing::joint::{MeshOptions, mesh_joint};
+use bracket::model::FrictionLaw;
 use std::collections::BTreeMap;
 
 const X: [f64; 3] = [1.0, 0.0, 0.0];

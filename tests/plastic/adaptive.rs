@@ -10,10 +10,10 @@ use bracket::analysis::event::silent;
 use bracket::analysis::pass::PassOptions;
 use bracket::analysis::{elastic, limit};
 use bracket::elements::hencky_kinematic::Flow;
+use bracket::model::AnalysisKind;
 use bracket::model::AnalysisModel;
 use bracket::programs::{Kinematic, Static};
 use bracket::solve::{Patterns, SolveOptions, SolveStatus, condensed};
-use bracket::spec::analysis::AnalysisKind;
 
 fn elastic(model: &AnalysisModel) -> EnergyPass {
     let model = AnalysisModel { analysis: AnalysisKind::Elastic, ..model.clone() };

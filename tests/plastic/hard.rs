@@ -14,8 +14,8 @@ use crate::common::plastic::{run, strict, strict_pass};
 use crate::common::yielding::{E, FY};
 use crate::common::{Block, solved};
 use bracket::mesh::TetMesh;
+use bracket::model::AnalysisKind;
 use bracket::model::AnalysisModel;
-use bracket::spec::analysis::AnalysisKind;
 
 const SIZE: [f64; 3] = [10.0, 8.0, 12.0];
 

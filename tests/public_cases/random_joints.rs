@@ -8,7 +8,7 @@ use bracket::checks::{Analysed, Check, Status, joint_checks, judge};
 use bracket::driver::demands::demands;
 use bracket::result::result_file::ResultFile;
 use bracket::spec::connection::ConnectionSpec;
-use bracket::spec::yaml;
+use bracket::yaml;
 use std::path::Path;
 
 /// Joints whose numbers are tried: all in an optimised build, which the tests of a release have.

@@ -6,7 +6,7 @@ use bracket::assembly;
 use bracket::catalog::Catalog;
 use bracket::checks::{Analysed, Check, HandChecks, hand_checks, judge};
 use bracket::spec::connection::ConnectionSpec;
-use bracket::spec::yaml;
+use bracket::yaml;
 use std::path::Path;
 
 /// Names of units with their factors to mm, N and N mm.

@@ -4,6 +4,7 @@
 //! the difference.
 
 use bracket::checks::{Check, Judgement, Status, Topic, Unit, Worked};
+use bracket::model::AnalysisKind;
 use bracket::report::markdown::compose::report_markdown;
 use bracket::report::markdown::report_data::CatalogueRow;
 use bracket::report::markdown::report_data::ModelTraits;
@@ -24,7 +25,6 @@ use bracket::result::result_file::ResultFile;
 use bracket::result::result_file::Tool;
 use bracket::result::result_file::Upper;
 use bracket::result::result_file::Verdict;
-use bracket::spec::analysis::AnalysisKind;
 use std::path::Path;
 
 fn compare(name: &str, text: &str) {

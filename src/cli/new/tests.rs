@@ -1,9 +1,9 @@
 use super::*;
-use crate::assembly::build;
-use crate::assembly::template_file::SHIPPED;
-use crate::spec::yaml;
+use bracket_base::yaml;
+use bracket_joint::assembly::build;
+use bracket_joint::assembly::template_file::SHIPPED;
 
-fn assemble(text: &str) -> crate::assembly::Joint {
+fn assemble(text: &str) -> bracket_joint::assembly::Joint {
     let spec = yaml::parse::<ConnectionSpec>(text, Path::new("new.yaml"))
         .unwrap_or_else(|e| panic!("{e:#?}\n{text}"));
     build(&spec, Path::new("."), &Catalog::builtin().expect("sound"))
@@ -57,7 +57,7 @@ fn every_starter_assembles_as_it_is_and_with_all_defaults_switched_on() {
         let all = assemble(&on);
         assert!(all.resolved.iter().all(|r| r.given), "{name}: {:#?}", all.resolved);
         // messages show nine decimals; the defaults are read back with that precision
-        let text = |j: &crate::assembly::Joint| {
+        let text = |j: &bracket_joint::assembly::Joint| {
             serde_json::to_string(&j.assembly.parts).expect("JSON").len()
         };
         assert_eq!(joint.assembly.parts.len(), all.assembly.parts.len());

@@ -1,0 +1,431 @@
+//! The record of one check: clause, formula with its numbers, demand, resistance, utilisation.
+
+use bracket_base::units::limits;
+use serde::{Deserialize, Serialize};
+use std::fmt;
+
+/// What the formula of a check says whose demand or resistance is not finite.
+const NO_NUMBER: &str = "; there is no such number, so that the check does not hold";
+
+/// Words before what would decide an undecided check.
+pub(super) const DECIDED_BY: &str = "what would decide it";
+
+/// Unit of a value of a check. Values are always in the internal units.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Unit {
+    /// A pure number.
+    #[default]
+    #[serde(rename = "-")]
+    Number,
+    /// Length \[mm\].
+    #[serde(rename = "mm")]
+    Length,
+    /// Area \[mm²\].
+    #[serde(rename = "mm2")]
+    Area,
+    /// Force \[N\].
+    #[serde(rename = "N")]
+    Force,
+    /// Force per length \[N/mm\].
+    #[serde(rename = "N/mm")]
+    ForcePerLength,
+    /// Stress \[MPa\].
+    #[serde(rename = "MPa")]
+    Stress,
+    /// Moment \[N mm\].
+    #[serde(rename = "N mm")]
+    Moment,
+    /// Rotational stiffness \[N mm/rad\].
+    #[serde(rename = "N mm/rad")]
+    Rotational,
+}
+
+impl Unit {
+    /// Factor from the internal unit to the printed one, and the name of the printed one: forces in
+    /// kN, moments in kN m.
+    pub fn printed(self) -> (f64, &'static str) {
+        match self {
+            Unit::Number => (1.0, ""),
+            Unit::Length => (1.0, "mm"),
+            Unit::Area => (1.0, "mm²"),
+            Unit::Force => (1e-3, "kN"),
+            Unit::ForcePerLength => (1.0, "N/mm"),
+            Unit::Stress => (1.0, "MPa"),
+            Unit::Moment => (1e-6, "kN m"),
+            Unit::Rotational => (1e-6, "kN m/rad"),
+        }
+    }
+
+    /// A value as a report prints it, with its unit.
+    pub fn show(self, value: f64) -> String {
+        let (factor, name) = self.printed();
+        let text = number(value * factor);
+        if name.is_empty() { text } else { format!("{text} {name}") }
+    }
+}
+
+/// A number with four significant digits, all digits of whole numbers, no trailing zeros.
+pub fn number(x: f64) -> String {
+    if x == 0.0 || !x.is_finite() {
+        return if x == 0.0 { "0".into() } else { x.to_string() };
+    }
+    let power = x.abs().log10().floor();
+    if !(-4.0..9.0).contains(&power) {
+        return format!("{x:.3e}");
+    }
+    let text = format!("{x:.*}", (3 - power as i32).max(0) as usize);
+    match text.contains('.') {
+        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => text,
+    }
+}
+
+/// An intermediate value.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Step {
+    /// Symbol of the code.
+    pub symbol: String,
+    /// Value, internal unit.
+    pub value: f64,
+    /// Unit.
+    pub unit: Unit,
+}
+
+impl Step {
+    /// A length \[mm\].
+    pub fn length(symbol: &str, value: f64) -> Self {
+        Self { symbol: symbol.into(), value, unit: Unit::Length }
+    }
+}
+
+/// Topic of a check; the report has a table for each.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Topic {
+    /// Spacing, edges, room for tools and washers, bolt length.
+    Detailing,
+    /// Resistance of single bolts.
+    Bolts,
+    /// Welds.
+    Welds,
+    /// The beam's cross-section and the column's stiffeners at the joint.
+    Member,
+    /// Component method of EN 1993-1-8 section 6: strength, which a limit analysis of the same case
+    /// determines as well.
+    ComponentMethod,
+    /// Buckling and slenderness, which no limit analysis models.
+    Stability,
+    /// Stiffness of the component method.
+    Stiffness,
+    /// Rotation capacity.
+    Ductility,
+}
+
+/// Result of a check.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Status {
+    /// The demand is within the limit.
+    Ok,
+    /// The demand exceeds the limit.
+    Failed,
+    /// The code gives no resistance: neither satisfied nor failed.
+    Undecided,
+    /// A recommendation is not followed, or strength by the component method does not suffice where
+    /// a limit analysis decides. It does not affect the verdict.
+    Warning,
+    /// A value without a demand.
+    Information,
+}
+
+/// One check of the report and of `result.json`. Values are in the internal units (mm, N, MPa, N
+/// mm).
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Check {
+    /// Topic.
+    pub topic: Topic,
+    /// The load case of the demand; absent for a check that needs no load.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub case: Option<String>,
+    /// Part, row or sense of bending.
+    pub subject: String,
+    /// Clause.
+    pub clause: String,
+    /// Name of the check.
+    pub title: String,
+    /// The formula with its numbers.
+    pub formula: String,
+    /// Intermediate values.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub values: Vec<Step>,
+    /// Demand: the force, or the required length.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub demand: Option<f64>,
+    /// Resistance: the force that can be carried, or the provided length.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub resistance: Option<f64>,
+    /// Demand over resistance.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub utilisation: Option<f64>,
+    /// Unit of demand and resistance.
+    pub unit: Unit,
+    /// Result.
+    pub status: Status,
+    /// True for a recommendation, which decides nothing where it is not followed.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub advice: bool,
+}
+
+impl Check {
+    /// The check with a title and a subject.
+    pub fn find<'a>(checks: &'a [Check], title: &str, subject: &str) -> Option<&'a Check> {
+        checks.iter().find(|c| c.title == title && c.subject == subject)
+    }
+
+    /// A check for which the code gives no resistance, with the reason, and what would decide it.
+    pub fn undecided(
+        topic: Topic,
+        subject: impl Into<String>,
+        clause: &str,
+        title: &str,
+        why: impl Into<String>,
+        step: &str,
+    ) -> Self {
+        let open = Self::assumption(topic, subject, clause, title, why);
+        Self { status: Status::Undecided, ..open }.decided_by(step)
+    }
+
+    /// The check; if it is undecided, with what would decide it.
+    #[must_use]
+    pub fn decided_by(mut self, step: &str) -> Self {
+        if self.status == Status::Undecided {
+            self.formula += &format!("; {DECIDED_BY}: {step}");
+        }
+        self
+    }
+
+    /// Why an undecided check is open, and what would decide it.
+    pub fn open(&self) -> Option<(&str, &str)> {
+        let mark = format!("; {DECIDED_BY}: ");
+        self.formula.rsplit_once(&mark).filter(|_| self.status == Status::Undecided)
+    }
+
+    /// An assumption of the checks, in words.
+    pub fn assumption(
+        topic: Topic,
+        subject: impl Into<String>,
+        clause: &str,
+        title: &str,
+        what: impl Into<String>,
+    ) -> Self {
+        Self {
+            topic,
+            case: None,
+            subject: subject.into(),
+            clause: clause.into(),
+            title: title.into(),
+            formula: what.into(),
+            values: Vec::new(),
+            demand: None,
+            resistance: None,
+            utilisation: None,
+            unit: Unit::Number,
+            status: Status::Information,
+            advice: false,
+        }
+    }
+
+    /// A length that must reach a least value: the demand is the required length, the resistance
+    /// the provided one. `otherwise` is the status where it is too small.
+    pub fn at_least(
+        (topic, subject): (Topic, impl Into<String>),
+        (clause, title): (&str, &str),
+        symbol: &str,
+        (required, rule): (f64, impl fmt::Display),
+        provided: f64,
+        otherwise: Status,
+    ) -> Self {
+        let sign = if within(required, provided) { "≥" } else { "<" };
+        let formula = comparison(symbol, provided, sign, required, rule);
+        Self::limit(topic, subject.into(), clause, title, formula, (required, provided), otherwise)
+    }
+
+    /// A length that must not exceed a greatest value: the demand is the provided length, the
+    /// resistance the allowed one. `otherwise` is the status where it is too large.
+    pub fn at_most(
+        (topic, subject): (Topic, impl Into<String>),
+        (clause, title): (&str, &str),
+        symbol: &str,
+        (allowed, rule): (f64, impl fmt::Display),
+        provided: f64,
+        otherwise: Status,
+    ) -> Self {
+        let sign = if within(provided, allowed) { "≤" } else { ">" };
+        let formula = comparison(symbol, provided, sign, allowed, rule);
+        Self::limit(topic, subject.into(), clause, title, formula, (provided, allowed), otherwise)
+    }
+
+    fn limit(
+        topic: Topic,
+        subject: String,
+        clause: &str,
+        title: &str,
+        formula: String,
+        (demand, resistance): (f64, f64),
+        otherwise: Status,
+    ) -> Self {
+        let mut check = Self {
+            topic,
+            case: None,
+            subject,
+            clause: clause.into(),
+            title: title.into(),
+            formula,
+            values: Vec::new(),
+            demand: None,
+            resistance: None,
+            utilisation: None,
+            unit: Unit::Length,
+            status: Status::Ok,
+            advice: false,
+        };
+        check.judge(demand, resistance, otherwise);
+        check
+    }
+
+    /// Compares a demand with a resistance. A number that is not finite never holds: the check ends
+    /// with `otherwise`, and its formula says so.
+    pub(super) fn judge(&mut self, demand: f64, resistance: f64, otherwise: Status) {
+        let number = |x: f64| Some(x).filter(|x| x.is_finite());
+        self.demand = number(demand);
+        self.resistance = number(resistance);
+        // a utilisation needs a positive resistance
+        self.utilisation = if resistance > 0.0 { number(demand / resistance) } else { None };
+        self.advice = otherwise == Status::Warning;
+        let finite = self.demand.is_some() && self.resistance.is_some();
+        self.status = if finite && within(demand, resistance) { Status::Ok } else { otherwise };
+        if !finite {
+            self.formula += NO_NUMBER;
+        }
+    }
+
+    /// True for a length with its limit, which measures no strength: a distance, a throat.
+    pub fn is_limit(&self) -> bool {
+        self.unit == Unit::Length
+    }
+
+    /// True for a utilisation that decides: of a strength, no kept length, no recommendation, no
+    /// rule of stiffness or rotation.
+    pub fn measures_strength(&self) -> bool {
+        let decides = !matches!(self.topic, Topic::Stiffness | Topic::Ductility) && !self.advice;
+        decides && self.utilisation.is_some() && !self.is_limit()
+    }
+
+    /// The check with its load case.
+    #[must_use]
+    pub fn of_case(mut self, case: &str) -> Self {
+        self.case = Some(case.into());
+        self
+    }
+
+    /// Whether the formula begins with the demand: `V_wp,Ed = …; V_wp,Rd = …`.
+    fn formula_has_demand(&self) -> bool {
+        self.formula.split('=').next().is_some_and(|symbol| symbol.contains("Ed"))
+    }
+
+    /// The check in a sentence.
+    pub fn sentence(&self) -> String {
+        let case = self.case.as_ref().map_or(String::new(), |c| format!("{c}, "));
+        let demand = match (&self.case, self.demand) {
+            // a formula that begins with the demand already has it
+            (Some(_), Some(ed)) if self.unit != Unit::Number && !self.formula_has_demand() => {
+                format!("{} against ", self.unit.show(ed))
+            }
+            _ => String::new(),
+        };
+        format!(
+            "{case}{}: {}: {demand}{} ({})",
+            self.subject, self.title, self.formula, self.clause
+        )
+    }
+}
+
+/// Comparison of a length with its limit, `e1 = 23 mm < 1.2 d0 = 24 mm`. A rule that is a plain
+/// length is not repeated: `a = 6 mm ≥ 3 mm`.
+fn comparison(
+    symbol: &str,
+    provided: f64,
+    sign: &str,
+    limit: f64,
+    rule: impl fmt::Display,
+) -> String {
+    let (provided, limit, rule) =
+        (Unit::Length.show(provided), Unit::Length.show(limit), rule.to_string());
+    let end = if rule == limit { limit } else { format!("{rule} = {limit}") };
+    format!("{symbol} = {provided} {sign} {end}")
+}
+
+/// Whether a value is at most a limit, but for rounding; never true of NaN.
+///
+/// Every comparison of the checks with a limit of the code is made with this slack, so that a value
+/// given in another unit, or as a product of decimals, is judged like the value itself.
+pub fn within(value: f64, limit: f64) -> bool {
+    limits::at_most(value, limit)
+}
+
+/// Sum of forces or moments that may balance: 0 where only rounding is left of them.
+pub fn balance(of: impl IntoIterator<Item = f64>) -> f64 {
+    let (sum, size) = of.into_iter().fold((0.0, 0.0), |(s, size), x| (s + x, size + x.abs()));
+    // beside the size of its terms it is nothing but rounding
+    if within(size + sum.abs(), size) { 0.0 } else { sum }
+}
+
+/// The item with the largest value, the first of those that are equal but for rounding.
+pub fn largest<T>(of: impl IntoIterator<Item = T>, value: impl Fn(&T) -> f64) -> Option<T> {
+    of.into_iter().reduce(|a, b| if within(value(&b), value(&a)) { a } else { b })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_keep_four_digits_and_no_zeros() {
+        let cases = [
+            (0.0, "0"),
+            (0.9, "0.9"),
+            (90432.0, "90432"),
+            (1.25, "1.25"),
+            (2.11818, "2.118"),
+            (-33.4, "-33.4"),
+        ];
+        for (x, text) in
+            cases.into_iter().chain([(1e12, "1.000e12"), (1234.5, "1234"), (0.0001, "0.0001")])
+        {
+            assert_eq!(number(x), text);
+        }
+        assert_eq!(Unit::Force.show(90_432.0), "90.43 kN");
+        assert_eq!(Unit::Number.show(0.606), "0.606");
+    }
+
+    #[test]
+    fn a_limit_met_exactly_holds_and_one_missed_by_a_hair_does_not() {
+        let check = |provided: f64| {
+            let (topic, what) = ((Topic::Detailing, "plate"), ("Table 3.3", "end distance"));
+            Check::at_least(topic, what, "e1", (1.2 * 20.0, "1.2 d0"), provided, Status::Failed)
+        };
+        assert_eq!(check(24.0).status, Status::Ok);
+        assert_eq!(check(23.99).status, Status::Failed);
+        assert_eq!(check(f64::NAN).status, Status::Failed);
+        assert!(check(23.99).utilisation.is_some_and(|u| u > 1.0));
+        assert!(
+            check(23.99).formula.contains("e1 = 23.99 mm < 1.2 d0 = 24 mm"),
+            "{}",
+            check(23.99).formula
+        );
+        let (topic, what) = ((Topic::Welds, "beam web"), ("4.5.2", "throat"));
+        let throat = Check::at_least(topic, what, "a", (3.0, "3 mm"), 6.0, Status::Failed);
+        assert_eq!(throat.formula, "a = 6 mm ≥ 3 mm");
+        assert_eq!(check(-3.0).utilisation, None, "no finite utilisation where nothing is there");
+    }
+}

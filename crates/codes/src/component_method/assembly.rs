@@ -1,0 +1,431 @@
+//! Assembly of the components: row forces and moment resistance. EN 1993-1-8:2005 6.2.7.2.
+
+use super::column_web::{self, ShearPanel};
+use super::compressed_zone::CompressedZone;
+use super::joint::EndPlateJoint;
+use super::rows::{Component, Rows};
+use super::t_stub::Mode;
+use super::{MOMENT_RESISTANCE, beam, stiffness};
+use crate::check::{Unit, number, within};
+use crate::error::CheckError;
+use crate::eurocode::section::{Class, epsilon};
+use crate::worked::Worked;
+use bracket_joint::assembly::Way;
+
+/// Force of a row over F_t,Rd of one bolt above which the rows below stay elastic, 6.2.7.2(9).
+const NEARLY_BOLTS: f64 = 1.9;
+
+/// Largest force of a row that stays elastic beside the rows above \[N\], and the rule; the row
+/// has the lever arm `lever`.
+///
+/// `F_tr,Rd ≤ F_tx,Rd h_r/h_x` below every row x with more than 1.9 F_t,Rd; with the triangular
+/// limit, below the outermost row whatever its force.
+///
+/// # Source
+/// EN 1993-1-8:2005 6.2.7.2(9), formula 6.26; the UK annex, NA.2.7, for the outermost row.
+pub(super) fn elastic_limit(
+    joint: &EndPlateJoint,
+    above: &[RowForce],
+    lever: f64,
+) -> Option<(f64, &'static str)> {
+    let of = |x: &RowForce| x.grouped * lever / x.lever;
+    let near = above.iter().filter(|x| x.nearly_bolts(joint.bolts.tension));
+    let near = near.map(|x| (of(x), "6.2.7.2(9), lever arms"));
+    let outermost = above.first().filter(|_| joint.triangular);
+    let outermost = outermost.map(|x| (of(x), "UK NA.2.7, triangular limit"));
+    near.chain(outermost).reduce(|a, b| if b.0 < a.0 { b } else { a })
+}
+
+/// A component that the rows `first..=row` share; rows are counted from 0.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Group {
+    /// The first row of the group.
+    pub first: usize,
+    /// The component.
+    pub component: Component,
+}
+
+/// Force of a row and the components that limit it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RowForce {
+    /// z from the beam's axis, tension at the top \[mm\].
+    pub z: f64,
+    /// Distance h_r from the centre of compression \[mm\].
+    pub lever: f64,
+    /// The components of the row alone.
+    pub alone: Vec<Component>,
+    /// Groups of rows above that end with this row.
+    pub groups: Vec<Group>,
+    /// The least of `alone` \[N\].
+    pub single: f64,
+    /// After the groups and 6.2.7.2(9) \[N\].
+    pub grouped: f64,
+    /// F_tr,Rd, after compression and shear as well \[N\].
+    pub force: f64,
+    /// The limiting component, in words.
+    pub limited_by: String,
+    /// The mode of the T-stub that limits it, if one does.
+    pub mode: Option<Mode>,
+    /// Whether 6.2.7.2(9), or the UK annex's rule in its place, reduces it.
+    pub elastic: bool,
+}
+
+/// A component that limits the sum of the rows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Summed {
+    /// Column web in compression.
+    ColumnWeb,
+    /// Beam flange and web in compression.
+    BeamFlange,
+    /// Column web panel in shear, over β.
+    Panel,
+}
+
+/// A limit of the sum of the rows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Limit {
+    /// The component.
+    pub of: Summed,
+    /// Its resistance \[N\].
+    pub worked: Worked,
+}
+
+/// A component whose resistance, or whose coverage by the code, depends on buckling.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stability {
+    /// The component that may buckle, with its slenderness and the limit that it exceeds.
+    pub why: String,
+    /// Clause.
+    pub clause: &'static str,
+    /// True: the resistance of the component contains the reduction, so the component method covers
+    /// it. False: the code gives no design resistance, and the component method alone cannot
+    /// conclude OK.
+    pub covered: bool,
+    /// What would remove the doubt.
+    pub step: &'static str,
+}
+
+/// Resistance and stiffness of a joint for one sense of bending.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Assessment {
+    /// Rows in tension, from the outermost.
+    pub rows: Vec<RowForce>,
+    /// Limits of the sum of the rows: column web and beam flange in compression, column web panel
+    /// over β.
+    pub limits: Vec<Limit>,
+    /// V_wp,Rd of the column web panel, not over β; `None` without a column.
+    pub panel: Option<Worked>,
+    /// M_j,Rd.
+    pub moment: Worked,
+    /// M_c,Rd of the beam.
+    pub beam_moment: Worked,
+    /// Components that may buckle, which a limit analysis does not model.
+    pub stability: Vec<Stability>,
+    /// Stiffness coefficients and S_j,ini.
+    pub stiffness: stiffness::Stiffness,
+}
+
+impl RowForce {
+    /// Whether the row is so near to the resistance of its bolts, `bolt` F_t,Rd of one \[N\], that
+    /// the rows below stay elastic, 6.2.7.2(9).
+    pub(super) fn nearly_bolts(&self, bolt: f64) -> bool {
+        !within(self.grouped, NEARLY_BOLTS * bolt)
+    }
+
+    /// The part whose bending, alone or with the bolts, limits the row; `None` where another
+    /// component does.
+    pub fn bending_of(&self) -> Option<&'static str> {
+        self.mode.filter(|m| m.bends() && self.force > 0.0)?;
+        ["end plate", "column flange"].into_iter().find(|part| self.limited_by.starts_with(part))
+    }
+
+    /// Force of one bolt of the row, prying included, under a fraction `share` of F_tr,Rd \[N\]:
+    /// the plastic state of the row's T-stubs scaled down, which is in equilibrium and nowhere
+    /// above its resistance.
+    pub fn bolt_force(&self, share: f64) -> f64 {
+        let force = share * self.force;
+        let stubs = self.alone.iter().filter_map(|c| Some(c.bolts? / c.worked.value));
+        // half to either bolt
+        0.5 * force * stubs.fold(1.0, f64::max)
+    }
+}
+
+impl Assessment {
+    /// Σ F_tr,Rd \[N\].
+    pub fn tension(&self) -> f64 {
+        self.rows.iter().map(|r| r.force).sum()
+    }
+
+    /// Whether the web panel in shear limits the sum.
+    pub fn shear_governs(&self) -> bool {
+        let total = self.tension();
+        self.limits.iter().any(|l| l.of == Summed::Panel && within(l.worked.value, total))
+    }
+
+    /// Resistance of a component that limits the sum \[N\].
+    pub fn limit(&self, of: Summed) -> Option<&Worked> {
+        self.limits.iter().find(|l| l.of == of).map(|l| &l.worked)
+    }
+}
+
+/// Row forces, moment resistance and stiffness of a joint with the tension at the top.
+///
+/// From the outermost row on, the force of each row is the least of: its own resistance, the rest
+/// of each group, the rest of the sum that compression and shear allow, and a force in proportion
+/// to its lever arm where a row above has more than 1.9 F_t,Rd. `M_j,Rd = Σ h_r F_tr,Rd`.
+///
+/// # Source
+/// EN 1993-1-8:2005 6.2.7.2(1) to (9), formula 6.25.
+pub fn assess(joint: &EndPlateJoint) -> Result<Assessment, CheckError> {
+    let rows = Rows::new(joint)?;
+    let beam = &joint.beam;
+    let beam_moment = beam::bending_6_2_8(&beam.section, beam.fy, beam.shear, joint.gamma_m0);
+    let panel = panel(joint, &rows).map(|p| (with_stiffeners(p.resistance(), joint), p));
+    let (resistance, panel) = panel.unzip();
+    // with β = 0 the moments bring no shear into the panel; the shear of the column still may
+    let sheared = joint.beta > 0.0;
+    let limiting = resistance.as_ref().filter(|_| sheared);
+    let limits = limits(joint, &rows, beam_moment.value, limiting);
+    let stability = stability(joint, &rows, panel.as_ref().filter(|_| sheared));
+    let (mut left, mut least) = (f64::INFINITY, "");
+    for l in &limits {
+        if !within(left, l.worked.value) {
+            least = l.worked.title;
+        }
+        left = left.min(l.worked.value);
+    }
+    let mut found: Vec<RowForce> = Vec::new();
+    for r in 0..rows.count() {
+        let alone = rows.components(r, r);
+        let mut limit = Least::none();
+        for c in &alone {
+            limit.lower(c.worked.value, || c.name.into(), c.mode);
+        }
+        let single = limit.force;
+        let mut groups = Vec::new();
+        for first in (0..r).rev() {
+            let above: f64 = found[first..].iter().map(|f| f.grouped).sum();
+            for component in rows.components(first, r) {
+                let words = || format!("{}, rows {}–{}", component.name, first + 1, r + 1);
+                limit.lower(component.worked.value - above, words, component.mode);
+                groups.push(Group { first, component });
+            }
+        }
+        let mut elastic = false;
+        if let Some((proportional, rule)) = elastic_limit(joint, &found, rows.lever[r]) {
+            elastic = proportional < limit.force;
+            limit.lower(proportional, || rule.into(), None);
+        }
+        // the forces of the rows in a group do not depend on compression: once compression limits a
+        // row, nothing remains for the rows below
+        let grouped = limit.force.max(0.0);
+        limit.lower(left, || least.into(), None);
+        let force = limit.force.max(0.0);
+        left -= force;
+        found.push(RowForce {
+            z: rows.z[r],
+            lever: rows.lever[r],
+            alone,
+            groups,
+            single,
+            grouped,
+            force,
+            limited_by: limit.words,
+            mode: limit.mode,
+            elastic,
+        });
+    }
+    let moment = moment(&found);
+    let stiffness = stiffness::initial(joint, &rows)?;
+    Ok(Assessment {
+        rows: found,
+        limits,
+        panel: resistance,
+        moment,
+        beam_moment,
+        stability,
+        stiffness,
+    })
+}
+
+/// The least limit so far and its component.
+struct Least {
+    force: f64,
+    words: String,
+    mode: Option<Mode>,
+}
+
+impl Least {
+    fn none() -> Self {
+        Self { force: f64::INFINITY, words: String::new(), mode: None }
+    }
+
+    fn lower(&mut self, force: f64, words: impl FnOnce() -> String, mode: Option<Mode>) {
+        // of equal limits the first names the row
+        if !within(self.force, force) {
+            *self = Self { force, words: words(), mode };
+        }
+        self.force = self.force.min(force);
+    }
+}
+
+/// M_j,Rd.
+fn moment(rows: &[RowForce]) -> Worked {
+    let value = rows.iter().map(|r| r.lever * r.force).sum();
+    let terms: Vec<String> = rows
+        .iter()
+        .filter(|r| r.force > 0.0)
+        .map(|r| format!("{} · {}", Unit::Force.show(r.force), Unit::Length.show(r.lever)))
+        .collect();
+    let formula = format!("M_j,Rd = Σ h_r F_tr,Rd = {}", terms.join(" + "));
+    Worked::new("EN 1993-1-8:2005 6.2.7.2(1)", MOMENT_RESISTANCE, value, Unit::Moment, formula)
+}
+
+/// The column web panel; `None` without a column.
+fn panel(joint: &EndPlateJoint, rows: &Rows<'_>) -> Option<ShearPanel> {
+    let c = joint.column.as_ref()?;
+    let s = &c.section;
+    let stiffeners = match panel_stiffeners(joint) {
+        Some([flange, stiffener, distance]) => {
+            column_web::stiffened_panel(flange, stiffener, distance)
+        }
+        None => 0.0,
+    };
+    Some(ShearPanel {
+        area: rows.shear_area(),
+        fy: c.fy,
+        clear_depth: s.clear_depth(),
+        web_depth: s.h - 2.0 * s.tf,
+        web: s.tw,
+        stiffeners,
+        gamma_m0: joint.gamma_m0,
+        gamma_m1: joint.gamma_m1,
+    })
+}
+
+/// M_pl,fc,Rd of the column flange, M_pl,st,Rd of a stiffener \[N mm\] and their distance d_s
+/// \[mm\], 6.2.6.1(4); `None` without stiffeners.
+fn panel_stiffeners(joint: &EndPlateJoint) -> Option<[f64; 3]> {
+    let c = joint.column.as_ref().filter(|c| c.stiffener > 0.0)?;
+    let b = &joint.beam.section;
+    let plastic = |t: f64| 0.25 * c.section.b * t * t * c.fy / joint.gamma_m0;
+    Some([plastic(c.section.tf), plastic(c.stiffener), b.h - b.tf])
+}
+
+/// The resistance of the panel with the numbers of the part that stiffeners add.
+fn with_stiffeners(worked: Worked, joint: &EndPlateJoint) -> Worked {
+    match panel_stiffeners(joint) {
+        Some([flange, stiffener, distance]) => worked
+            .with("M_pl,fc,Rd", flange, Unit::Moment)
+            .with("M_pl,st,Rd", stiffener, Unit::Moment)
+            .with("d_s", distance, Unit::Length),
+        None => worked,
+    }
+}
+
+/// Limits of the sum of the rows by the components in compression and in shear.
+fn limits(
+    joint: &EndPlateJoint,
+    rows: &Rows<'_>,
+    beam_moment: f64,
+    panel: Option<&Worked>,
+) -> Vec<Limit> {
+    let b = &joint.beam;
+    let mut out = Vec::new();
+    if let Some(c) = &joint.column {
+        let worked = CompressedZone::new(joint, c, Way::Down, rows.shear_area()).resistance();
+        out.push(Limit { of: Summed::ColumnWeb, worked });
+    }
+    let worked = beam::flange_compression(&b.section, beam_moment, b.fy, joint.gamma_m0);
+    out.push(Limit { of: Summed::BeamFlange, worked });
+    if let Some(panel) = panel {
+        let mut worked = panel.clone();
+        if joint.beta != 1.0 {
+            worked.value /= joint.beta;
+            worked.formula +=
+                &format!("; over β = {}: {}", number(joint.beta), Unit::Force.show(worked.value));
+        }
+        out.push(Limit { of: Summed::Panel, worked });
+    }
+    out
+}
+
+/// What keeps a column web from buckling under a flange.
+const STIFFER_WEB: &str = "a column with a thicker web, or thicker stiffeners";
+
+/// The components that may buckle before they yield.
+fn stability(joint: &EndPlateJoint, rows: &Rows<'_>, panel: Option<&ShearPanel>) -> Vec<Stability> {
+    let mut out = Vec::new();
+    if let Some(c) = &joint.column {
+        let zone = CompressedZone::new(joint, c, Way::Down, rows.shear_area());
+        let web = zone.web;
+        let rho = web.buckling();
+        if c.stiffener == 0.0 && rho < 1.0 {
+            let why = format!(
+                "the column web buckles under the compressed flange: λ̄_p = {} > 0.72, ρ = {}",
+                number(web.slenderness()),
+                number(rho)
+            );
+            out.push(Stability {
+                why,
+                clause: "EN 1993-1-8:2005 6.2.6.2",
+                covered: true,
+                step: STIFFER_WEB,
+            });
+        }
+        let of_cross = zone.resistance();
+        if let Some(chi) = of_cross.step("χ").filter(|chi| *chi < 1.0) {
+            let why = format!(
+                "the stiffened column web buckles under the compressed flange: χ = {}",
+                number(chi)
+            );
+            out.push(Stability {
+                why,
+                clause: "EN 1993-1-8:2005 6.2.6.2(4)",
+                covered: true,
+                step: STIFFER_WEB,
+            });
+        }
+        let outstand = 0.5 * (c.section.b - c.section.tw);
+        let limit = column_web::STIFFENER_SLENDERNESS * epsilon(c.fy);
+        if c.stiffener > 0.0 && !within(outstand, limit * c.stiffener) {
+            let ratio = number(outstand / c.stiffener);
+            let why = format!(
+                "the stiffeners of the column buckle about their weld: c/t_s = {ratio} > 13 ε = {}",
+                number(limit)
+            );
+            out.push(Stability {
+                why,
+                clause: "EN 1993-1-5:2006 9.2.1(8)",
+                covered: false,
+                step: "thicker stiffeners",
+            });
+        }
+        if let Some(panel) = panel.filter(|p| p.slender()) {
+            let (slenderness, limit) = panel.slenderness();
+            let why = format!(
+                "the column web panel is too slender in shear: d_c/t_w = {} > 69 ε = {}",
+                number(slenderness),
+                number(limit)
+            );
+            out.push(Stability {
+                why,
+                clause: "EN 1993-1-8:2005 6.2.6.1(1)",
+                covered: false,
+                step: "a web doubler or a column with a thicker web",
+            });
+        }
+    }
+    if beam::class(&joint.beam.section, joint.beam.fy) == Class::Slender {
+        let why = "the beam is of class 4 in bending: its compressed flange or web buckles before \
+                   it yields"
+            .into();
+        out.push(Stability {
+            why,
+            clause: "EN 1993-1-1:2005 5.5.2",
+            covered: false,
+            step: "a beam of class 1 to 3",
+        });
+    }
+    out
+}

@@ -1,0 +1,151 @@
+//! The zone of the column web under a compressed flange of the beam, as far as the column reaches:
+//! EN 1993-1-8:2005 6.2.6.2.
+
+use super::column_web::{CompressedWeb, compressed_thickness, shear_interaction};
+use super::joint::{Column, EndPlateJoint};
+use crate::check::{Unit, number as n, within};
+use crate::eurocode::section::epsilon;
+use crate::worked::Worked;
+use bracket_joint::assembly::Way;
+use std::f64::consts::{PI, SQRT_2};
+
+/// Web beside a stiffener that acts with it, over ε t_w, EN 1993-1-5:2006 9.1(2).
+const WEB_OF_STIFFENER: f64 = 15.0;
+
+/// Effective width of the web in compression under a bolted end plate and a rolled column that
+/// continues \[mm\].
+///
+/// `b_eff = t_fb + 2√2 a_p + 5 (t_fc + s) + s_p`, s = r_c; s_p = 2 t_p where the plate reaches far
+/// enough beyond the weld of the compressed flange, t_p at least (spread at 45° through the plate).
+///
+/// # Source
+/// EN 1993-1-8:2005 6.2.6.2(1), formula 6.11.
+pub fn compressed_width(joint: &EndPlateJoint, c: &Column) -> f64 {
+    let (b, plate) = (&joint.beam, &joint.plate);
+    // the plate beyond the outer face of the compressed flange
+    let overhang = -0.5 * b.section.h - plate.bottom;
+    let leg = SQRT_2 * b.flange_throat;
+    let spread = plate.thickness + (overhang - leg).clamp(0.0, plate.thickness);
+    b.section.tf + 2.0 * leg + 5.0 * (c.section.tf + c.section.root) + spread
+}
+
+/// A zone of the column web in compression, `width` \[mm\].
+pub(super) fn zone(
+    joint: &EndPlateJoint,
+    c: &Column,
+    width: f64,
+    shear_area: f64,
+) -> CompressedWeb {
+    let s = &c.section;
+    CompressedWeb {
+        effective_width: width,
+        web: compressed_thickness(s.tw, c.doublers),
+        clear_depth: s.clear_depth(),
+        fy: c.fy,
+        young: joint.young,
+        omega: shear_interaction(joint.beta, width, s.tw, shear_area),
+        longitudinal: c.longitudinal,
+        gamma_m0: joint.gamma_m0,
+        gamma_m1: joint.gamma_m1,
+    }
+}
+
+/// A pair of stiffeners level with a flange of the beam. Lengths in mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StiffenerPair {
+    /// Width on each side of the web.
+    pub outstand: f64,
+    /// Thickness.
+    pub thickness: f64,
+    /// Web above and below the pair: up to the end of the column, or halfway to the other pair.
+    pub beside: [f64; 2],
+}
+
+/// The zone under one flange of the beam.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CompressedZone {
+    /// The web alone, cut where the column ends.
+    pub web: CompressedWeb,
+    /// Its stiffeners.
+    pub stiffeners: Option<StiffenerPair>,
+}
+
+impl CompressedZone {
+    /// The zone of the upper flange (`Way::Up`) or of the lower one; `shear_area` A_vc \[mm²\].
+    pub fn new(joint: &EndPlateJoint, c: &Column, flange: Way, shear_area: f64) -> Self {
+        let b = &joint.beam.section;
+        let apart = b.h - b.tf;
+        let half = 0.5 * compressed_width(joint, c);
+        let width = half + beyond(joint, c, flange, half);
+        let stiffeners = (c.stiffener > 0.0).then(|| StiffenerPair {
+            outstand: 0.5 * (c.section.b - c.section.tw),
+            thickness: c.stiffener,
+            beside: [
+                (beyond(joint, c, flange, f64::INFINITY) - 0.5 * c.stiffener).max(0.0),
+                (0.5 * (apart - c.stiffener)).max(0.0),
+            ],
+        });
+        Self { web: zone(joint, c, width, shear_area), stiffeners }
+    }
+
+    /// Resistance, never less than that of the web alone.
+    pub fn resistance(&self) -> Worked {
+        let bare = self.web.resistance();
+        match self.stiffeners.map(|pair| self.web.stiffened(&pair)) {
+            Some(cross) if cross.value > bare.value => cross,
+            _ => bare,
+        }
+    }
+}
+
+/// Length of web beyond the middle of a flange of the beam, of a `wanted` one \[mm\].
+pub(super) fn beyond(joint: &EndPlateJoint, c: &Column, flange: Way, wanted: f64) -> f64 {
+    let level = 0.5 * (joint.beam.section.h - joint.beam.section.tf);
+    let z = if flange == Way::Up { level } else { -level };
+    c.ends().reach(z, flange, wanted)
+}
+
+impl CompressedWeb {
+    /// Design resistance of a pair of transverse stiffeners with the web beside them: 15 ε t_w on
+    /// either side, as far as there is web, buckling out of the plane of the web over 0.75 of its
+    /// depth by curve c.
+    ///
+    /// # Source
+    /// EN 1993-1-8:2005 6.2.6.2(4); EN 1993-1-5:2006 9.1(2) and 9.4; EN 1993-1-1:2005 6.3.1.
+    pub fn stiffened(&self, pair: &StiffenerPair) -> Worked {
+        let most = WEB_OF_STIFFENER * epsilon(self.fy) * self.web;
+        let beside: f64 = pair.beside.iter().map(|w| w.min(most)).sum();
+        let area = 2.0 * pair.outstand * pair.thickness + (beside + pair.thickness) * self.web;
+        let width = 2.0 * pair.outstand + self.web;
+        let inertia = pair.thickness * width.powi(3) / 12.0 + beside * self.web.powi(3) / 12.0;
+        let radius = (inertia / area).sqrt();
+        let lambda1 = PI * (self.young / self.fy).sqrt();
+        let slenderness = 0.75 * self.clear_depth / (radius * lambda1);
+        let phi = 0.5 * (1.0 + 0.49 * (slenderness - 0.2) + slenderness * slenderness);
+        let stocky = within(slenderness, 0.2);
+        let chi = if stocky {
+            1.0
+        } else {
+            (1.0 / (phi + (phi * phi - slenderness * slenderness).sqrt())).min(1.0)
+        };
+        let gamma = if stocky { self.gamma_m0 } else { self.gamma_m1 };
+        let formula = format!(
+            "F_c,wc,Rd = χ A_eff f_y/γ = {} · {} · {}/{}",
+            n(chi),
+            n(area),
+            n(self.fy),
+            n(gamma)
+        );
+        Worked::new(
+            "EN 1993-1-8:2005 6.2.6.2(4), EN 1993-1-5:2006 9.4",
+            "stiffened column web in compression",
+            chi * area * self.fy / gamma,
+            Unit::Force,
+            formula,
+        )
+        .with("A_eff", area, Unit::Area)
+        .with("web beside the stiffeners", beside, Unit::Length)
+        .with("λ̄", slenderness, Unit::Number)
+        .with("χ", chi, Unit::Number)
+    }
+}

@@ -1,0 +1,185 @@
+//! The equivalent T-stub in tension: EN 1993-1-8:2005 Table 6.2.
+
+use crate::check::{Unit, number as n, within};
+use crate::worked::Worked;
+
+/// Failure mode of a T-stub.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mode {
+    /// Complete yielding of the flange.
+    Flange,
+    /// Bolt failure with yielding of the flange.
+    FlangeAndBolts,
+    /// Bolt failure.
+    Bolts,
+    /// Yielding of the flange without prying forces.
+    FlangeWithoutPrying,
+}
+
+impl Mode {
+    /// The mode as the code numbers it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Mode::Flange => "mode 1",
+            Mode::FlangeAndBolts => "mode 2",
+            Mode::Bolts => "mode 3",
+            Mode::FlangeWithoutPrying => "mode 1-2",
+        }
+    }
+
+    /// Whether bending of the flange takes part in the failure.
+    pub fn bends(self) -> bool {
+        self != Mode::Bolts
+    }
+}
+
+/// Whether prying forces develop.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Prying {
+    /// They develop: the flange bears at its edges.
+    #[default]
+    Develops,
+    /// They do not: the bolts are so long that the flange lifts off.
+    Absent,
+}
+
+/// A T-stub flange with its bolts. Lengths in mm, forces in N, strengths in MPa.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TStub {
+    /// Distance from the bolt to the plastic hinge at the web or weld.
+    pub m: f64,
+    /// Distance from the bolt to where the prying force acts: min(e_min, 1.25 m).
+    pub n: f64,
+    /// Thickness of the flange.
+    pub thickness: f64,
+    /// Nominal yield strength of the flange.
+    pub fy: f64,
+    /// Σ ℓ_eff,1 of the rows.
+    pub length1: f64,
+    /// Σ ℓ_eff,2 of the rows.
+    pub length2: f64,
+    /// Σ F_t,Rd of all bolts.
+    pub bolts: f64,
+    /// γ_M0.
+    pub gamma_m0: f64,
+    /// Whether prying forces develop.
+    pub prying: Prying,
+    /// e_w = d_w/4 of the alternative method for mode 1, with d_w the diameter of the washer or the
+    /// width across points of head or nut; `None` for the first method.
+    pub washer_quarter: Option<f64>,
+}
+
+/// Resistance of a T-stub \[N\].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Resistance {
+    /// The mode that decides.
+    pub mode: Mode,
+    /// Force of all bolts at that resistance, prying included; at most ΣF_t,Rd.
+    pub bolts: f64,
+    /// The least of the modes, with its derivation; each mode is a step of it.
+    pub worked: Worked,
+}
+
+impl TStub {
+    /// Design tension resistance.
+    ///
+    /// `M_pl = 0.25 Σℓ_eff t_f² f_y/γ_M0`; mode 1 `4 M_pl,1/m`, by the alternative method
+    /// `(8n − 2e_w) M_pl,1/(2mn − e_w(m + n))`; mode 2 `(2 M_pl,2 + n ΣF_t,Rd)/(m + n)`; mode 3
+    /// `ΣF_t,Rd`; without prying `2 M_pl,1/m` in place of modes 1 and 2.
+    ///
+    /// # Source
+    /// EN 1993-1-8:2005 Table 6.2, without backing plates (6.2.4.3).
+    pub fn resistance(&self) -> Resistance {
+        let plastic =
+            |length: f64| 0.25 * length * self.thickness * self.thickness * self.fy / self.gamma_m0;
+        let (mpl1, mpl2) = (plastic(self.length1), plastic(self.length2));
+        let (m, e) = (self.m, self.n);
+        let mut modes = match (self.prying, self.washer_quarter) {
+            (Prying::Absent, _) => vec![(Mode::FlangeWithoutPrying, 2.0 * mpl1 / m)],
+            (Prying::Develops, None) => vec![(Mode::Flange, 4.0 * mpl1 / m)],
+            (Prying::Develops, Some(ew)) => {
+                let below = 2.0 * m * e - ew * (m + e);
+                vec![(Mode::Flange, (8.0 * e - 2.0 * ew) * mpl1 / below)]
+            }
+        };
+        if self.prying == Prying::Develops {
+            modes.push((Mode::FlangeAndBolts, (2.0 * mpl2 + e * self.bolts) / (m + e)));
+        }
+        modes.push((Mode::Bolts, self.bolts));
+        // of equal modes the first decides
+        let least = modes.iter().fold(&modes[0], |a, b| if within(a.1, b.1) { a } else { b });
+        // writing a formula takes longer than computing it: only that of the mode that decides
+        let formula =
+            format!("F_T,Rd ({}) = {}", least.0.name(), self.formula(least.0, mpl1, mpl2));
+        let mut worked = Worked::new(
+            "EN 1993-1-8:2005 Table 6.2",
+            "T-stub in tension",
+            least.1,
+            Unit::Force,
+            formula,
+        )
+        .with("m", m, Unit::Length)
+        .with("n", e, Unit::Length)
+        .with("Σℓ_eff,1", self.length1, Unit::Length)
+        .with("Σℓ_eff,2", self.length2, Unit::Length)
+        .with("M_pl,1", mpl1, Unit::Moment)
+        .with("M_pl,2", mpl2, Unit::Moment);
+        for (mode, value) in &modes {
+            worked = worked.with(mode.name(), *value, Unit::Force);
+        }
+        // mode 1: the prying force Q = M_pl/n of either edge beside the hinge at the bolts; mode 2:
+        // the bolts are at F_t,Rd
+        let bolts = match least.0 {
+            Mode::Flange => least.1 + 2.0 * mpl1 / e,
+            Mode::FlangeAndBolts | Mode::Bolts => self.bolts,
+            Mode::FlangeWithoutPrying => least.1,
+        };
+        Resistance { mode: least.0, bolts: bolts.min(self.bolts), worked }
+    }
+
+    /// The formula of a mode with its numbers.
+    fn formula(&self, mode: Mode, mpl1: f64, mpl2: f64) -> String {
+        let (m, e) = (self.m, self.n);
+        let kn = |x: f64| n(x * 1e-3);
+        match (mode, self.washer_quarter) {
+            (Mode::FlangeWithoutPrying, _) => format!("2 M_pl,1/m = 2 · {}/{}", kn(mpl1), n(m)),
+            (Mode::Flange, None) => format!("4 M_pl,1/m = 4 · {}/{}", kn(mpl1), n(m)),
+            (Mode::Flange, Some(ew)) => format!(
+                "(8n − 2e_w) M_pl,1/(2mn − e_w(m + n)) = (8 · {} − 2 · {}) · {}/{}",
+                n(e),
+                n(ew),
+                kn(mpl1),
+                n(2.0 * m * e - ew * (m + e))
+            ),
+            (Mode::FlangeAndBolts, _) => format!(
+                "(2 M_pl,2 + n ΣF_t,Rd)/(m + n) = (2 · {} + {} · {})/({} + {})",
+                kn(mpl2),
+                n(e),
+                kn(self.bolts),
+                n(m),
+                n(e)
+            ),
+            (Mode::Bolts, _) => "ΣF_t,Rd".into(),
+        }
+    }
+}
+
+/// Whether prying forces develop in a T-stub of `rows` rows: where the bolts are no longer than
+/// L_b*.
+///
+/// `L_b ≤ L_b* = 8.8 m³ A_s n_b/(Σℓ_eff,1 t_f³)`; `elongation` L_b \[mm\], `stress_area` A_s of one
+/// bolt \[mm²\].
+///
+/// # Source
+/// EN 1993-1-8:2005 Table 6.2 with the corrigendum of 2009 (n_b rows of two bolts).
+pub fn prying(
+    elongation: f64,
+    m: f64,
+    stress_area: f64,
+    rows: usize,
+    length1: f64,
+    thickness: f64,
+) -> Prying {
+    let limit = 8.8 * m.powi(3) * stress_area * rows as f64 / (length1 * thickness.powi(3));
+    if within(elongation, limit) { Prying::Develops } else { Prying::Absent }
+}

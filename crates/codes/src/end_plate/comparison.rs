@@ -1,0 +1,269 @@
+//! Resistance of a joint by the component method, to compare with the bracket of a limit analysis.
+
+use crate::check::{Unit, number as n, within};
+use crate::component_method::Assessment;
+use crate::component_method::equilibrium::{Carried, Equilibrium, SMALL_AXIAL};
+use crate::worked::Worked;
+use bracket_joint::assembly::{EndPlate, PlaneActions};
+use serde::{Deserialize, Serialize};
+
+/// Resistance of a joint by the component method, for the sense of bending of a load case.
+#[derive(Clone, Debug)]
+pub(super) struct Method {
+    /// M_j,Rd \[N mm\].
+    pub moment: f64,
+    /// Moment and axial force together; `None` without an axial force, or where the tables do not
+    /// cover the joint.
+    pub equilibrium: Option<Equilibrium>,
+    /// β.
+    pub beta: f64,
+    /// Sense of bending in words.
+    pub sense: &'static str,
+}
+
+impl Method {
+    /// Whether an axial force is small enough to be neglected beside a moment.
+    fn small(&self, axial: f64) -> bool {
+        axial == 0.0 || self.equilibrium.as_ref().is_some_and(|e| e.small(axial))
+    }
+
+    /// M_j,Ed/M_j,Rd; 0 without a moment, whatever the resistance.
+    pub(super) fn bending(&self, moment: f64) -> f64 {
+        if moment == 0.0 { 0.0 } else { moment.abs() / self.moment }
+    }
+
+    /// Plastic equilibrium of the rows, where the axial force counts.
+    pub(super) fn with_axial(&self, [force, moment]: [[f64; 3]; 2]) -> Option<Carried> {
+        let (axial, my) = (force[0], moment[1]);
+        self.equilibrium.as_ref().filter(|_| !self.small(axial))?.at(axial, my)
+    }
+
+    /// Utilisation of the joint under forces and moments of a member end, to be at most 1.
+    ///
+    /// M_j,Ed/M_j,Rd, and N_j,Ed/N_j,Rd where that is more; beyond |N_Ed| = 5 % of N_pl,Rd at least
+    /// the reciprocal of the largest factor on M and N together, by the plastic equilibrium of the
+    /// components. Tension relieves the compressed side, which is not counted.
+    ///
+    /// `None` where an axial force counts and the tables do not cover it.
+    ///
+    /// # Source
+    /// EN 1993-1-8:2005 6.2.7.1(2) and (3).
+    pub(super) fn share(&self, at: [[f64; 3]; 2]) -> Option<Worked> {
+        const CLAUSE: &str = "EN 1993-1-8:2005 6.2.7.1";
+        const TITLE: &str = "moment and axial force of the joint";
+        let (axial, moment) = (at[0][0], at[1][1]);
+        let my = moment.abs();
+        let bending = self.bending(moment);
+        let show = |x: f64| Unit::Moment.show(x);
+        let kn = |x: f64| Unit::Force.show(x);
+        let mut formula = format!("M_j,Ed/M_j,Rd = {}/{}", show(my), show(self.moment));
+        let mut value = bending;
+        if self.small(axial) {
+            if axial != 0.0 {
+                // a small force is neglected beside the moment, but by itself it is still compared
+                // with the resistance of the joint
+                let resistance = self
+                    .equilibrium
+                    .as_ref()
+                    .map(|e| if axial > 0.0 { e.tension } else { e.compression })?;
+                let alone = if resistance > 0.0 { axial.abs() / resistance } else { return None };
+                value = bending.max(alone);
+                formula += &format!(
+                    " = {}, N_Ed/N_j,Rd = {}/{} = {}, not added for N_Ed ≤ 0.05 N_pl,Rd; the \
+                     larger",
+                    n(bending),
+                    kn(axial.abs()),
+                    kn(resistance),
+                    n(alone)
+                );
+            }
+        } else {
+            let carried = self.with_axial(at).filter(|c| c.factor > 0.0)?;
+            let together = 1.0 / carried.factor;
+            value = bending.max(together);
+            formula = format!(
+                "the larger of {formula} = {} and 1/α = {}, with α (M_j,Ed = {}, N_Ed = {}) the \
+                 largest multiple in plastic equilibrium",
+                n(bending),
+                n(together),
+                show(moment),
+                kn(axial)
+            );
+            let worked = Worked::new(CLAUSE, TITLE, value, Unit::Number, formula);
+            return Some(self.by_hand(worked, &carried, [axial, moment]));
+        }
+        Some(Worked::new(CLAUSE, TITLE, value, Unit::Number, formula))
+    }
+
+    /// Adds to the check what a hand needs to follow it: the forces of rows and flanges at the
+    /// largest multiple, their sums, and the linear sum of formula 6.24 beside it.
+    fn by_hand(&self, mut worked: Worked, carried: &Carried, [axial, moment]: [f64; 2]) -> Worked {
+        let Some(e) = &self.equilibrium else { return worked };
+        let (kn, show) = (|x: f64| Unit::Force.show(x), |x: f64| Unit::Moment.show(x));
+        let alpha = carried.factor;
+        let [upper, web, lower] = carried.compression;
+        let mut forces: Vec<(String, f64, f64)> = carried
+            .rows
+            .iter()
+            .map(|r| (format!("row at z = {} mm", n(r.z)), r.force, r.z))
+            .collect();
+        forces.retain(|f| f.1 > 0.0);
+        forces.sort_by(|a, b| b.2.total_cmp(&a.2));
+        let parts = [
+            ("upper flange", upper, e.lever),
+            ("web", web, 0.0),
+            ("lower flange", lower, -e.lever),
+        ];
+        for (part, push, z) in parts.into_iter().filter(|p| p.1 > 0.0) {
+            forces.push((format!("{part} at z = {} mm", n(z)), -push, z));
+        }
+        let terms = |of: fn(&(String, f64, f64)) -> String| {
+            let each: Vec<String> = forces.iter().map(of).collect();
+            each.join(" + ").replace("+ -", "− ")
+        };
+        let sum: f64 = forces.iter().map(|f| f.1).sum();
+        let turned: f64 = forces.iter().map(|f| f.1 * f.2).sum();
+        worked.formula += &format!(
+            "; α = {}, tension positive: Σ F = {} = {} = α N_Ed; Σ F z = {} = {} = α M_j,Ed",
+            n(alpha),
+            terms(|f| n(1e-3 * f.1)),
+            kn(sum),
+            terms(|f| format!("{} · {}", n(1e-3 * f.1), n(1e-3 * f.2))),
+            show(turned)
+        );
+        for (name, force, _) in &forces {
+            worked = worked.with(&format!("F of the {name}"), *force, Unit::Force);
+        }
+        worked = worked.with("α", alpha, Unit::Number);
+        let resistance = if axial > 0.0 { e.tension } else { e.compression };
+        if resistance > 0.0 {
+            let (bending, pull) = (self.bending(moment), axial.abs() / resistance);
+            worked.formula += &format!(
+                "; linear sum (6.24): M_j,Ed/M_j,Rd + N_Ed/N_j,Rd = {} + {}/{} = {}; it does not \
+                 bind: 6.2.7.1(3) offers it as a conservative method, and forces in equilibrium, \
+                 none beyond its resistance, satisfy 2.5(1)",
+                n(bending),
+                kn(axial.abs()),
+                kn(resistance),
+                n(bending + pull)
+            );
+            worked = worked.with("linear sum (6.24)", bending + pull, Unit::Number);
+        }
+        worked
+    }
+}
+
+/// Result of the component method for a load case at one member end.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Comparison {
+    /// Load case.
+    #[serde(skip)]
+    pub case: String,
+    /// Member end.
+    pub end: String,
+    /// Sense of bending: `tension at the top`.
+    pub sense: String,
+    /// β of 5.3(8); 0 in a splice.
+    pub beta: f64,
+    /// M_j,Ed at the bolt plane \[N mm\].
+    pub demand: f64,
+    /// M_j,Rd \[N mm\].
+    pub resistance: f64,
+    /// The load factor at which moment and axial force reach the resistance; absent where they
+    /// never reach it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub factor: Option<f64>,
+    /// Components that limit the rows, from the tension side: a sentence.
+    pub limited_by: String,
+    /// Components that may buckle, a sentence each: the component method then binds the verdict.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub stability: Vec<String>,
+    /// Lever arm M_j,Rd/ΣF_tr,Rd \[mm\].
+    pub lever: f64,
+    /// M_c,Rd of the beam \[N mm\].
+    pub beam: f64,
+    /// Half of the width of a bolt's head across flats \[mm\].
+    pub head: f64,
+}
+
+impl Comparison {
+    pub(super) fn new(
+        e: &EndPlate,
+        a: &PlaneActions,
+        method: &Method,
+        assessment: &Assessment,
+    ) -> Self {
+        let upside_down = a.at(1.0)[1][1] < 0.0;
+        let rows: Vec<String> = assessment
+            .rows
+            .iter()
+            .map(|r| {
+                let z = if upside_down { -r.z } else { r.z };
+                let mode = r.mode.map_or(String::new(), |m| format!(", {}", m.name()));
+                format!("z = {} mm {} ({}{mode})", n(z), Unit::Force.show(r.force), r.limited_by)
+            })
+            .collect();
+        let total = assessment.tension();
+        Self {
+            case: a.case.clone(),
+            end: a.end.clone(),
+            sense: method.sense.into(),
+            beta: method.beta,
+            demand: a.at(1.0)[1][1],
+            resistance: method.moment,
+            factor: factor(a, method),
+            limited_by: rows.join("; "),
+            stability: assessment
+                .stability
+                .iter()
+                .map(|s| format!("{} ({})", s.why, s.clause))
+                .collect(),
+            lever: if total > 0.0 { method.moment / total } else { 0.0 },
+            beam: assessment.beam_moment.value,
+            head: 0.5 * e.bolt.head_width,
+        }
+    }
+}
+
+/// Least load factor at which the utilisation by moment and axial force reaches 1; `None` where it
+/// never does.
+fn factor(a: &PlaneActions, method: &Method) -> Option<f64> {
+    if a.dead.iter().flatten().all(|x| *x == 0.0) {
+        let [[axial, ..], [_, my, _]] = a.at(1.0);
+        let bending = if my == 0.0 { f64::INFINITY } else { method.moment / my.abs() };
+        // load factor from which the axial force counts
+        let plastic = method.equilibrium.as_ref().map_or(f64::INFINITY, |e| e.plastic);
+        let counts = SMALL_AXIAL * plastic / axial.abs();
+        let together =
+            || method.equilibrium.as_ref().and_then(|e| e.at(axial, my)).map_or(0.0, |c| c.factor);
+        let least =
+            if within(bending, counts) { bending } else { bending.min(together()).max(counts) };
+        let resistance = method
+            .equilibrium
+            .as_ref()
+            .map(|e| if axial > 0.0 { e.tension } else { e.compression });
+        let alone = resistance.filter(|_| axial != 0.0).map_or(f64::INFINITY, |r| r / axial.abs());
+        let least = least.min(alone);
+        return least.is_finite().then_some(least);
+    }
+    let over = |factor: f64| method.share(a.at(factor)).is_none_or(|u| u.value >= 1.0);
+    if over(0.0) {
+        return Some(0.0);
+    }
+    let (mut low, mut high) = (0.0, 1.0);
+    while !over(high) {
+        (low, high) = (high, 2.0 * high);
+        if high > 1e6 {
+            return None;
+        }
+    }
+    while high - low > 1e-9 * high {
+        let middle = 0.5 * (low + high);
+        if over(middle) {
+            high = middle;
+        } else {
+            low = middle;
+        }
+    }
+    Some(high)
+}

@@ -1,0 +1,39 @@
+//! Result of the hand checks of a connection.
+
+use super::comparison::Comparison;
+use super::joint_stiffness::PureMoment;
+use super::method_record::MethodRecord;
+use crate::check::{Check, Status};
+use bracket_joint::assembly::Neglected;
+
+/// The checks of a connection, and the reasons why some of them are missing.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct HandChecks {
+    /// The checks, by topic.
+    pub checks: Vec<Check>,
+    /// Parts that could not be checked, with the reason.
+    pub notes: Vec<String>,
+    /// The component method of each sense of bending, with all numbers of M_j,Rd.
+    pub methods: Vec<MethodRecord>,
+    /// Result of the component method for each load case with actions at a member end.
+    pub comparisons: Vec<Comparison>,
+    /// Load cases that consist of one moment; its rotation gives the stiffness of the joint.
+    pub moments: Vec<PureMoment>,
+    /// Reason why the lower bound of a limit analysis decides nothing: no rule of rotation capacity
+    /// holds.
+    pub brittle: Option<String>,
+    /// Load cases in which a component may buckle. In these the component method binds, whatever
+    /// the limit analysis gives.
+    pub unstable: Vec<String>,
+    /// Load cases at serviceability, in which only slip is checked.
+    pub serviceability: Vec<String>,
+    /// Actions at member ends that are neglected.
+    pub neglected: Vec<Neglected>,
+}
+
+impl HandChecks {
+    /// Whether a check failed.
+    pub fn failed(&self) -> bool {
+        self.checks.iter().any(|c| c.status == Status::Failed)
+    }
+}

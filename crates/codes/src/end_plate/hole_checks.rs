@@ -1,0 +1,45 @@
+//! Kind of the holes with its factors, as information.
+
+use super::bolt_checks::{DOWN, for_bearing, group_bearing, shear_of_all};
+use super::bolt_holes::{CLEARANCES, Clearance};
+use crate::check::{Check, Topic, Unit, number as n};
+use crate::eurocode::bearing::Hole;
+use crate::worked::Worked;
+use bracket_joint::assembly::EndPlate;
+
+/// Kind of the holes with its factors.
+pub(super) fn holes(e: &EndPlate) -> Vec<Check> {
+    let b = &e.bolt;
+    let kind = Clearance::of(e);
+    let Some(slip) = kind.slip() else { return Vec::new() };
+    let (title, part) = match (kind, for_bearing(e, DOWN)) {
+        (Clearance::Normal, _) => ("normal round holes", 1.0),
+        (_, Hole::Normal) => ("round holes with 2 mm clearance of small bolts", 1.0),
+        _ => ("oversize round holes", 0.8),
+    };
+    let mut formula = format!(
+        "d0 = {} mm, normal {} mm, oversize {} mm: bearing times {} (Table 3.4), k_s = {} (Table \
+         3.6); d0 − d",
+        n(e.hole),
+        n(b.hole_normal),
+        n(b.hole_oversize),
+        n(part),
+        n(slip.ks())
+    );
+    if kind == Clearance::Small {
+        let (shear, bearing) = (shear_of_all(e, DOWN), group_bearing(e, Hole::Normal, DOWN));
+        formula = format!(
+            "group in bearing {}, in shear {}: {} (3.6.1(5)); {formula}",
+            Unit::Force.show(bearing),
+            Unit::Force.show(shear),
+            match part < 1.0 {
+                true => "bearing would govern, so that the holes count as oversize",
+                false => "bearing does not govern",
+            }
+        );
+    }
+    vec![
+        Worked::new(CLEARANCES, title, e.hole - b.d, Unit::Length, formula)
+            .information(Topic::Detailing, "holes"),
+    ]
+}

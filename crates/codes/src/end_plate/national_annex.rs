@@ -1,0 +1,143 @@
+//! What a national annex changes beside the partial factors, and a list of what is not covered.
+
+use super::clamped_plates::clamped;
+use crate::check::{Check, Status, Topic, number as n};
+use crate::ductility::plastic_distribution;
+use bracket_joint::assembly::EndPlate;
+use bracket_joint::spec::code::FySource;
+
+/// The catalogue's name of the annex of the United Kingdom.
+const UK: &str = "UK";
+/// The catalogue's name of the annex of Germany.
+const GERMANY: &str = "DE";
+
+/// Title of the lists of what is not covered.
+const NOT_COVERED: &str = "rules of the national annex that are not covered";
+
+/// Bolt classes that the German annex excludes.
+const GERMAN_EXCLUDED: [&str; 3] = ["4.8", "5.8", "6.8"];
+
+/// Thickness from which the German rule of least throats applies \[mm\].
+const GERMAN_THIN: f64 = 3.0;
+
+/// Whether the UK annex applies.
+pub(super) fn is_uk(e: &EndPlate) -> bool {
+    e.annex.as_deref() == Some(UK)
+}
+
+/// Whether the rows of the joint have the triangular limit of the UK annex: neither end plate nor
+/// column flange is thin enough for its bolts.
+///
+/// # Source
+/// UK National Annex to BS EN 1993-1-8, NA.2.7; SCI P398, 2.
+pub(super) fn triangular(e: &EndPlate) -> bool {
+    let holds = |(part, c)| plastic_distribution(part, &c).status == Status::Ok;
+    is_uk(e) && !clamped(e).any(holds)
+}
+
+/// The rules of the annex that the checks follow, and those that they leave out.
+pub(super) fn checks(e: &EndPlate) -> Vec<Check> {
+    match e.annex.as_deref() {
+        None => Vec::new(),
+        Some(UK) => british(e),
+        Some(GERMANY) => german(e),
+        Some(other) => vec![Check::assumption(
+            Topic::Detailing,
+            format!("annex {other}"),
+            "national annex",
+            NOT_COVERED,
+            "the partial factors of the annex are used and nothing else: its choices in EN \
+             1993-1-8 3.1.1(3), bolt classes; 3.4.2(1), preload; 5.2.1(2), classification; \
+             6.2.7.2(9), forces of the rows; and its additional rules are not covered",
+        )],
+    }
+}
+
+/// The annex of the United Kingdom.
+fn british(e: &EndPlate) -> Vec<Check> {
+    let (clause, title) = ("UK NA to BS EN 1993-1-8, NA.2.7", "forces of the bolt rows");
+    let words = if triangular(e) {
+        "neither end plate nor column flange is thin enough for its bolts, t ≤ (d/1.9) \
+         √(f_ub/f_y): every row has at most its share of a triangle, F_tr,Rd ≤ F_t1,Rd h_r/h_1"
+    } else {
+        "end plate or column flange is thin enough for its bolts, t ≤ (d/1.9) √(f_ub/f_y): the \
+         rows may reach their plastic forces"
+    };
+    let mut out =
+        vec![Check::assumption(Topic::ComponentMethod, "bolt rows", clause, title, words)];
+    if e.fy_source == FySource::Table31 {
+        let (clause, title) =
+            ("UK NA to BS EN 1993-1-1, NA.2.4", "yield strengths by the product standard");
+        let words = "f_y and f_u are those of Table 3.1; this annex asks for those of the product \
+                     standard, which are lower above 16 mm: code.fy_source: product_standard";
+        let check = Check::assumption(Topic::Detailing, "annex UK", clause, title, words);
+        out.push(Check { status: Status::Warning, ..check });
+    }
+    out.push(Check::assumption(
+        Topic::Detailing,
+        "annex UK",
+        "UK NA to BS EN 1993-1-8",
+        NOT_COVERED,
+        "its choices in EN 1993-1-8 3.1.1(3), bolt classes; 3.4.2(1), preload; 5.2.1(2), \
+         classification; and γ_M2 = 1.1 of net sections in EN 1993-1-1 are not covered",
+    ));
+    out
+}
+
+/// The annex of Germany.
+fn german(e: &EndPlate) -> Vec<Check> {
+    let mut out = german_throats(e);
+    if GERMAN_EXCLUDED.contains(&e.grade.grade.as_str()) {
+        let (clause, title) = ("DIN EN 1993-1-8/NA, NDP to 3.1.1(3)", "bolt class of the annex");
+        let words = format!("bolts of class {} may not be used in Germany", e.grade.grade);
+        let check = Check::assumption(Topic::Detailing, "bolts", clause, title, words);
+        out.push(Check { status: Status::Failed, ..check });
+    }
+    out.push(Check::assumption(
+        Topic::Detailing,
+        "annex DE",
+        "DIN EN 1993-1-8/NA",
+        NOT_COVERED,
+        "its rules to EN 1993-1-8 3.1.1, galvanised bolts; 3.4.2(1), preload F_p,C* and its \
+         procedure; 4.5.3.2(6), f_u of parts above 40 mm and β_w of its own; 5.2.1(2), \
+         classification; 6.2.7.2(9), forces of the rows; are not covered",
+    ));
+    out
+}
+
+/// Least throats beside the thicker of the parts that a weld joins.
+///
+/// # Source
+/// DIN EN 1993-1-8/NA:2010, NCI to 4.5.2, formula NA.1: a ≥ √max t − 0.5, a and t in mm, t ≥ 3 mm.
+/// The annex lets the welding conditions waive it, with a ≥ 5 mm for t ≥ 30 mm.
+fn german_throats(e: &EndPlate) -> Vec<Check> {
+    let mut welds = vec![
+        ("beam flange", e.flange_throat, e.beam.tf.max(e.thickness)),
+        ("beam web", e.web_throat, e.beam.tw.max(e.thickness)),
+        ("rib", e.rib_throat, e.rib.max(e.thickness).max(e.beam.tf)),
+    ];
+    if let Some(c) = &e.column {
+        let (s, t) = (&c.section, c.stiffener.max(c.section.tf));
+        welds.push(("column stiffeners", c.stiffener_throat, t.max(s.tw)));
+        welds.push(("web doubler", c.doubler_throat, c.doubler.max(s.tw)));
+    }
+    let there = |(part, a, t): (&str, f64, f64)| {
+        let exists = match part {
+            "rib" => e.rib > 0.0,
+            "column stiffeners" => e.column.as_ref().is_some_and(|c| c.stiffener > 0.0),
+            "web doubler" => e.column.as_ref().is_some_and(|c| c.doubler > 0.0),
+            _ => true,
+        };
+        (exists && a > 0.0 && t >= GERMAN_THIN).then(|| {
+            let what = ("DIN EN 1993-1-8/NA, NCI to 4.5.2", "least throat beside the thicker part");
+            let rule = (t.sqrt() - 0.5, format!("√max t − 0.5 mm = √{} − 0.5 mm", n(t)));
+            let mut check =
+                Check::at_least((Topic::Welds, part), what, "a", rule, a, Status::Failed);
+            if check.status == Status::Failed {
+                check.formula += "; welding conditions may waive it, then a ≥ 5 mm for t ≥ 30 mm";
+            }
+            check
+        })
+    };
+    welds.into_iter().filter_map(there).collect()
+}

@@ -1,0 +1,157 @@
+//! What lies outside the range of the rules: steels, thicknesses, bolt grades and holes for which
+//! EN 1993-1-8 gives no resistance. Each is one undecided check with the clause and what would
+//! supply a resistance, so that the verdict by code is never OK.
+//!
+//! Geometry that the tables of effective lengths do not cover is an error of the component method
+//! (`component_method::rows`), which becomes an undecided check of each load case.
+
+use super::bolt_holes::{CLEARANCES, Clearance};
+use crate::check::{Check, Topic, Unit, number as n, within};
+use bracket_joint::assembly::EndPlate;
+use bracket_joint::assembly::strength::Strength;
+
+/// Title of these checks.
+const TITLE: &str = "outside the range of the rules";
+/// Greatest nominal f_y \[MPa\], EN 1993-1-8:2005 1.1(1): S235 to S460.
+const STRONGEST: f64 = 460.0;
+/// Least thickness \[mm\], EN 1993-1-1:2005 1.1.2(1).
+const THINNEST: f64 = 3.0;
+/// Least thickness of a welded part \[mm\], EN 1993-1-8:2005 4.1(1).
+const THINNEST_WELDED: f64 = 4.0;
+/// f_yb and f_ub of the grades 4.6 to 10.9 \[MPa\], EN 1993-1-8:2005 Table 3.1.
+const BOLTS: [(f64, f64); 2] = [(240.0, 900.0), (400.0, 1000.0)];
+
+/// A part of the joint with its steel.
+struct Part<'a> {
+    name: &'static str,
+    thickness: f64,
+    steel: &'a Strength,
+    welded: bool,
+}
+
+/// Everything about a joint that lies outside the range of the rules.
+pub(super) fn outside_range(e: &EndPlate) -> Vec<Check> {
+    let parts = parts(e);
+    let mut out = steels(&parts);
+    out.extend(thicknesses(&parts));
+    out.extend(bolt_grade(e));
+    out.extend(holes(e));
+    out
+}
+
+/// The parts of a joint.
+fn parts(e: &EndPlate) -> Vec<Part<'_>> {
+    let part = |name, thickness, steel, welded| Part { name, thickness, steel, welded };
+    let (b, steel) = (&e.beam, &e.beam_steel);
+    let mut out = vec![
+        part("end plate", e.thickness, &e.plate_steel, true),
+        part("beam flange", b.tf, steel, true),
+        part("beam web", b.tw, steel, true),
+        part("rib", e.rib, steel, true),
+    ];
+    if let Some(c) = &e.column {
+        let (stiffened, doubled) = (c.stiffener > 0.0, c.doubler > 0.0);
+        out.extend([
+            part("column flange", c.section.tf, &c.steel, stiffened),
+            part("column web", c.section.tw, &c.steel, stiffened || doubled),
+            part("column stiffener", c.stiffener, &c.steel, true),
+            part("web doubler", c.doubler, &c.steel, true),
+        ]);
+    }
+    out.retain(|p| p.thickness > 0.0);
+    out
+}
+
+fn undecided(topic: Topic, subject: &str, clause: &str, why: String, step: &str) -> Check {
+    Check::undecided(topic, subject, clause, TITLE, why, step)
+}
+
+/// Steels above S460, each once.
+fn steels(parts: &[Part<'_>]) -> Vec<Check> {
+    let mut strong: Vec<&Part<'_>> = Vec::new();
+    for p in parts {
+        let known = strong.iter().any(|q| q.steel.grade == p.steel.grade);
+        if !known && !within(p.steel.fy.max(named(&p.steel.grade)), STRONGEST) {
+            strong.push(p);
+        }
+    }
+    let check = |p: &Part<'_>| {
+        let why = format!(
+            "{} of {} is a steel above S460: EN 1993-1-12 has further rules for it, which are not \
+             in this edition",
+            p.name, p.steel.grade
+        );
+        let step = "a steel up to S460, or a check of the joint by EN 1993-1-12";
+        undecided(Topic::Detailing, p.name, "EN 1993-1-8:2005 1.1(1)", why, step)
+    };
+    strong.into_iter().map(check).collect()
+}
+
+/// Yield strength in the name of a grade, `S690Q` \[MPa\]; 0 of another name. A thick part has
+/// less, but its steel stays outside.
+fn named(grade: &str) -> f64 {
+    let digits: String =
+        grade.trim_start_matches('S').chars().take_while(char::is_ascii_digit).collect();
+    digits.parse().ok().filter(|_| grade.starts_with('S')).unwrap_or(0.0)
+}
+
+/// Parts that are too thin for the rules of sections or of welds.
+fn thicknesses(parts: &[Part<'_>]) -> Vec<Check> {
+    let check = |p: &Part<'_>| {
+        let show = Unit::Length.show(p.thickness);
+        let (topic, clause, why) = if !within(THINNEST, p.thickness) {
+            let why = format!(
+                "t = {show} < {} mm: thin-walled steel is the matter of EN 1993-1-3",
+                n(THINNEST)
+            );
+            (Topic::Detailing, "EN 1993-1-1:2005 1.1.2(1)", why)
+        } else if p.welded && !within(THINNEST_WELDED, p.thickness) {
+            let why = format!(
+                "t = {show} < {} mm of a welded part: welds of thinner material are the matter of \
+                 EN 1993-1-3",
+                n(THINNEST_WELDED)
+            );
+            (Topic::Welds, "EN 1993-1-8:2005 4.1(1)", why)
+        } else {
+            return None;
+        };
+        let step = "a thicker part, or a check by EN 1993-1-3";
+        Some(undecided(topic, p.name, clause, why, step))
+    };
+    parts.iter().filter_map(check).collect()
+}
+
+/// A bolt grade stronger or weaker than those of Table 3.1.
+fn bolt_grade(e: &EndPlate) -> Option<Check> {
+    let g = &e.grade;
+    let inside = |x: f64, (least, most): (f64, f64)| within(least, x) && within(x, most);
+    let known = inside(g.fyb, BOLTS[0]) && inside(g.fub, BOLTS[1]);
+    (!known).then(|| {
+        let why = format!(
+            "f_yb = {} and f_ub = {} of {} lie outside the grades 4.6 to 10.9: Table 3.1 does not \
+             list them, and Table 3.4 has no α_v",
+            Unit::Stress.show(g.fyb),
+            Unit::Stress.show(g.fub),
+            g.grade
+        );
+        let subject = format!("{} {}", e.bolt.size, g.grade);
+        let clause = "EN 1993-1-8:2005 3.1.1(3), Table 3.1";
+        undecided(Topic::Bolts, &subject, clause, why, "a grade of Table 3.1")
+    })
+}
+
+/// Holes wider than oversize: no factor of bearing and no k_s.
+fn holes(e: &EndPlate) -> Option<Check> {
+    (Clearance::of(e) == Clearance::Beyond).then(|| {
+        let why = format!(
+            "d0 = {} is wider than an oversize hole of {} = {}: no bearing resistance \
+             (Table 3.4) and no k_s (Table 3.6)",
+            Unit::Length.show(e.hole),
+            e.bolt.size,
+            Unit::Length.show(e.bolt.hole_oversize)
+        );
+        let clause = format!("{CLEARANCES}, EN 1993-1-8:2005 3.6.1(4)");
+        let step = "a hole of at most that size (`parameters.hole_clearance`)";
+        undecided(Topic::Detailing, "holes", &clause, why, step)
+    })
+}

@@ -1,0 +1,114 @@
+//! Slip of preloaded bolts by their category, and the kind of bolt assemblies.
+
+use super::bolt_holes::Clearance;
+use super::hole_checks::holes;
+use crate::check::{Check, Status, Topic, Unit, number as n, within};
+use crate::eurocode::slip::{preload, slip_resistance};
+use crate::worked::Worked;
+use bracket_joint::assembly::{EndPlate, PlaneActions};
+use bracket_joint::spec::connection::BoltCategory;
+use bracket_joint::spec::loads::LimitState;
+
+/// Limit state in which slip is checked, as the title of the check, and its status where it fails.
+fn demanded(category: Option<BoltCategory>, state: LimitState) -> Option<(&'static str, Status)> {
+    const ULTIMATE: &str = "slip of the preloaded bolts at the ultimate limit state (category C)";
+    const SERVICEABILITY: &str = "slip of the preloaded bolts at serviceability (category B)";
+    match (category, state) {
+        (Some(BoltCategory::B), LimitState::Serviceability) => {
+            Some((SERVICEABILITY, Status::Failed))
+        }
+        (Some(BoltCategory::C), LimitState::Ultimate) => Some((ULTIMATE, Status::Failed)),
+        (Some(_), _) => None,
+        // no category is given, so slip need not be prevented
+        (None, LimitState::Serviceability) => Some((SERVICEABILITY, Status::Warning)),
+        (None, LimitState::Ultimate) => Some((ULTIMATE, Status::Warning)),
+    }
+}
+
+/// Slip of all preloaded bolts of a plate. The compression of a moment balances the clamping force
+/// that its tension takes (3.9.2(3)); an axial tension is shared by the bolts. The check binds
+/// where the spec names category B or C. Otherwise the joint need not resist slip, and exceeding
+/// the resistance is a warning.
+///
+/// # Source
+/// EN 1993-1-8:2005 3.4.1, Table 3.2, 3.9.
+pub(super) fn slip(e: &EndPlate, a: &PlaneActions) -> Option<Check> {
+    let (title, otherwise) = demanded(e.category, a.state)?;
+    // with a category that must not slip, no friction means no resistance; without a category there
+    // is nothing to check
+    let preload = e.preload.filter(|_| e.mu > 0.0 || e.category.is_some())?;
+    let gamma = if a.state.is_ultimate() { e.factors.gamma_m3 } else { e.factors.gamma_m3_ser };
+    let [axial, vy, vz] = a.at(1.0)[0];
+    let shear = vy.hypot(vz);
+    let bolts = 2.0 * e.rows.len() as f64;
+    let Some(hole) = Clearance::of(e).slip() else {
+        let why = "Table 3.6 has no k_s for holes wider than oversize";
+        let (clause, step) =
+            ("EN 1993-1-8:2005 Table 3.6", "smaller holes (`parameters.hole_clearance`)");
+        let mut check = Check::undecided(Topic::Bolts, &a.end, clause, title, why, step);
+        if otherwise != Status::Failed {
+            check.status = Status::Warning;
+        }
+        return Some(check);
+    };
+    let mut worked = slip_resistance(hole, 1, e.mu, preload, axial.max(0.0) / bolts, gamma);
+    worked.title = title;
+    worked.formula =
+        format!("V_Ed/n = {}/{}; {}", Unit::Force.show(shear), n(bolts), worked.formula);
+    if !a.state.is_ultimate() {
+        worked.formula = worked.formula.replace("γ_M3", "γ_M3,ser");
+    }
+    Some(worked.against(Topic::Bolts, a.end.clone(), shear / bolts, otherwise))
+}
+
+/// Slip factor of class A, EN 1993-1-8:2005 Table 3.7.
+const HIGHEST_CLASS: f64 = 0.5;
+
+/// Kind of the holes, preloaded assemblies, and the load cases that a category requires.
+pub(super) fn assembly(e: &EndPlate) -> Vec<Check> {
+    let subject = format!("{} {}", e.bolt.size, e.grade.grade);
+    let mut out = holes(e);
+    if e.category == Some(BoltCategory::B)
+        && !e.actions.is_empty()
+        && e.actions.iter().all(|a| a.state.is_ultimate())
+    {
+        let title = "category B: no load case has `state: SLS`, so that slip is not checked";
+        let mut check = Worked::new(
+            "EN 1993-1-8:2005 3.4.1(3)",
+            title,
+            0.0,
+            Unit::Number,
+            "load cases of serviceability",
+        )
+        .information(Topic::Bolts, subject.clone());
+        (check.resistance, check.status) = (None, Status::Undecided);
+        out.push(check.decided_by("a load case with `state: SLS`"));
+    }
+    let Some(force) = e.preload else { return out };
+    if e.category.is_some() && !within(e.mu, HIGHEST_CLASS) {
+        let title = "slip factor above class A: EN 1090-2 asks for a test of the surfaces";
+        let words = "μ of the spec; Table 3.7 has at most 0.5; μ";
+        let mut check = Worked::new("EN 1993-1-8:2005 Table 3.7", title, e.mu, Unit::Number, words)
+            .information(Topic::Bolts, subject.clone());
+        check.status = Status::Warning;
+        out.push(check);
+    }
+    if e.bolt.system == "ISO 4014" {
+        let title = "preloaded bolts are assemblies of EN 14399: take a size `HR …` or `HV …`";
+        let words = format!("{} is of {}; F_p", e.bolt.size, e.bolt.standard);
+        let mut check =
+            Worked::new("EN 1993-1-8:2005 3.1.2(1), 1.2.4", title, force, Unit::Force, words)
+                .information(Topic::Bolts, subject.clone());
+        check.status = Status::Warning;
+        out.push(check);
+    }
+    let full = preload(&e.bolt, &e.grade);
+    if e.category.is_some_and(|c| matches!(c, BoltCategory::B | BoltCategory::C))
+        && !within(force, full.value)
+    {
+        let mut worked = full;
+        worked.title = "preload of the slip resistance, no more than F_p,C";
+        out.push(worked.against(Topic::Bolts, subject, force, Status::Failed));
+    }
+    out
+}

@@ -1,0 +1,83 @@
+//! Tying resistance of the end plate: information for structural integrity.
+
+use super::bolt_checks::bolt_tension;
+use super::bolt_rows::from_top;
+use super::component_joint::component_joint;
+use super::sense::Sense;
+use crate::check::{Check, Topic, Unit, number as n};
+use crate::component_method::assembly::RowForce;
+use crate::component_method::{Assessment, assess};
+use crate::worked::Worked;
+use bracket_joint::assembly::EndPlate;
+
+/// γ_Mu of tying resistances in SCI P358.
+const GAMMA_MU: f64 = 1.1;
+
+/// Tying resistance: sum of the rows under a tension along the beam, with ultimate strengths and
+/// γ_Mu, at most that of the beam's area; `None` where the component method does not cover the
+/// joint. Large deformations are allowed, so that the lever arms of 6.2.7.2(9) do not limit the
+/// rows. Welds are left out.
+///
+/// # Source
+/// EN 1991-1-7:2006 A.5; SCI P358, tying resistance of end plates: T-stubs of EN 1993-1-8:2005
+/// Table 6.2 with f_u and γ_Mu = 1.1.
+pub(super) fn tying(e: &EndPlate) -> Option<Check> {
+    let mut j = component_joint(e, 0.0);
+    j.plate.fy = e.plate_steel.fu;
+    j.beam.fy = e.beam_steel.fu;
+    if let (Some(c), Some(side)) = (&mut j.column, &e.column) {
+        c.fy = side.steel.fu;
+    }
+    (j.gamma_m0, j.gamma_m1) = (GAMMA_MU, GAMMA_MU);
+    j.bolts.tension = bolt_tension(e, GAMMA_MU);
+    let of = |sense: Sense| {
+        let found = assess(&sense.of(&j)).ok()?;
+        Some(forces(&found).into_iter().map(|(z, force)| (sense.z(z), force)).collect::<Vec<_>>())
+    };
+    let both = [of(Sense::Top)?, of(Sense::Bottom)?];
+    let each: Vec<f64> = from_top(e)
+        .into_iter()
+        .map(|z| {
+            both.iter()
+                .flatten()
+                .filter(|r| (r.0 - z).abs() < 1e-9)
+                .map(|r| r.1)
+                .fold(f64::INFINITY, f64::min)
+        })
+        .collect();
+    let beam = 1e2 * e.beam.area * e.beam_steel.fu / GAMMA_MU;
+    let value = each.iter().sum::<f64>().min(beam);
+    if !value.is_finite() {
+        return None;
+    }
+    let terms: Vec<String> = each.iter().map(|f| Unit::Force.show(*f)).collect();
+    let formula = format!(
+        "N_Rd,u = min(Σ F_tr,Rd,u, A f_u/{}) = min({}, {})",
+        n(GAMMA_MU),
+        terms.join(" + "),
+        Unit::Force.show(beam)
+    );
+    let title = "tying resistance, without welds";
+    let worked = Worked::new("EN 1991-1-7:2006 A.5, SCI P358", title, value, Unit::Force, formula);
+    Some(worked.information(Topic::Member, "end plate"))
+}
+
+/// z and force of the rows \[mm, N\], limited by each row alone and by the groups.
+fn forces(a: &Assessment) -> Vec<(f64, f64)> {
+    let mut out: Vec<(f64, f64)> = Vec::new();
+    for row in &a.rows {
+        let force = beside(row, &out).max(0.0);
+        out.push((row.z, force));
+    }
+    out
+}
+
+/// Force of a row beside the forces of the rows above \[N\].
+fn beside(row: &RowForce, above: &[(f64, f64)]) -> f64 {
+    let of_group =
+        |first: usize, whole: f64| whole - above.iter().skip(first).map(|r| r.1).sum::<f64>();
+    row.groups
+        .iter()
+        .map(|g| of_group(g.first, g.component.worked.value))
+        .fold(row.single, f64::min)
+}

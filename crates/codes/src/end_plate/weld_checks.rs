@@ -1,0 +1,232 @@
+//! Welds of the beam beside the rows in tension, and the strength they need so as not to limit the
+//! joint.
+
+use super::loaded_welds::{flange_resistance, flange_strength, web_yields};
+use super::member_end::LoadedEnd;
+use super::sense::Sense;
+use super::weld_lengths;
+use super::welded_steel;
+use crate::check::{Check, Status, Topic, Unit, largest, number as n, within};
+use crate::component_method::Assessment;
+use crate::eurocode::welds::{
+    LineForce, across_and_along, directional, full_strength_throat, least_size,
+};
+use crate::worked::Worked;
+use bracket_joint::assembly::EndPlate;
+
+/// Throats of double fillet welds that are as strong as flange and web of the beam.
+pub(super) fn full_strength_throats(e: &EndPlate) -> Vec<Check> {
+    let Some(steel) = welded_steel::of_the_beam(e) else { return Vec::new() };
+    [("beam flange", e.beam.tf), ("beam web", e.beam.tw)]
+        .into_iter()
+        .map(|(part, t)| {
+            full_strength_throat(t, e.beam_steel.fy, e.factors.gamma_m0, &steel)
+                .information(Topic::Welds, part)
+        })
+        .collect()
+}
+
+/// Least throats and lengths of the welds of the beam, which no load changes.
+pub(super) fn least_sizes(e: &EndPlate) -> Vec<Check> {
+    let (flange, web) = (weld_lengths::shortest_of_flange(e), weld_lengths::web(e).value);
+    let welds = [("beam flange", e.flange_throat, flange), ("beam web", e.web_throat, web)];
+    let fillets = welds.into_iter().filter(|(_, throat, _)| *throat > 0.0);
+    fillets.flat_map(|(part, throat, length)| least_size(part, throat, length)).collect()
+}
+
+/// A stretch of the welds of the beam web, and the rows whose force it takes.
+struct Stretch {
+    /// Rows from the tension side.
+    first: usize,
+    last: usize,
+    /// b_eff of the beam web, that of the T-stub of the end plate, at most the length of the welds
+    /// of the web \[mm\].
+    width: f64,
+}
+
+/// Stretches of the welds of the web that take the force of rows: of every row alone and of every
+/// group between the flanges. A row outside the flange acts on the flange.
+fn stretches(a: &Assessment, run: f64) -> Vec<Stretch> {
+    let mut out = Vec::new();
+    for (last, row) in a.rows.iter().enumerate() {
+        let alone = row.alone.iter().map(|c| (last, c));
+        let all = alone.chain(row.groups.iter().map(|g| (g.first, &g.component)));
+        let web = all.filter(|(_, c)| c.name == "beam web");
+        out.extend(web.filter_map(|(first, c)| {
+            Some(Stretch { first, last, width: c.worked.step("b_eff")?.min(run) })
+        }));
+    }
+    out
+}
+
+/// The stretch of the welds of the beam web with the largest utilisation, under row forces \[N\]
+/// and a shear force over the whole web \[N\]. The web can bring no more than it yields with; what
+/// is beyond it goes through the flange, whose welds are checked for the whole moment.
+fn web_welds(
+    e: &EndPlate,
+    a: &Assessment,
+    force: impl Fn(usize) -> f64,
+    shear: f64,
+) -> Option<(Stretch, Worked)> {
+    let (throat, length) = (e.web_throat, weld_lengths::web(e));
+    let run = length.value;
+    let steel = welded_steel::of_the_beam(e).filter(|_| throat > 0.0 && run > 0.0)?;
+    let most = e.beam.tw * e.beam_steel.fy / e.factors.gamma_m0;
+    let each = stretches(a, run).into_iter().map(|s| {
+        let pull: f64 = (s.first..=s.last).map(&force).sum();
+        let whole = LineForce { across: 0.5 * pull / s.width, along: 0.5 * shear / run };
+        let (line, part) = web_yields(whole, 0.5 * most);
+        let (capped, parallel) = (2.0 * line.across * s.width, line.along / throat);
+        let mut worked = directional(&across_and_along(capped, s.width, throat, parallel), &steel);
+        let mut bound = String::new();
+        if part < 1.0 {
+            let yields = match shear == 0.0 {
+                true => format!(
+                    "the web brings b_eff t_w f_y/γ_M0 = {} · {} · {}/{} = {}",
+                    n(s.width),
+                    n(e.beam.tw),
+                    n(e.beam_steel.fy),
+                    n(e.factors.gamma_m0),
+                    Unit::Force.show(capped)
+                ),
+                false => format!(
+                    "the web yields at {} of F and V, √((F/b_eff)² + 3 (V/l_eff)²) ≤ t_w f_y/γ_M0 \
+                     = {}",
+                    n(part),
+                    Unit::ForcePerLength.show(most)
+                ),
+            };
+            bound = format!(
+                "F = {}; {yields}; the rest, {}, goes through the flange; ",
+                Unit::Force.show(pull),
+                Unit::Force.show(pull - capped)
+            );
+        }
+        worked.formula = format!(
+            "{bound}σ⊥ = τ⊥ = F/(2 √2 a b_eff) = {}/(2 √2 · {} · {}), τ∥ = V/(2 a l_eff) = {}/(2 · \
+             {} · {}); {}",
+            Unit::Force.show(capped),
+            n(throat),
+            n(s.width),
+            Unit::Force.show(2.0 * line.along * run),
+            n(throat),
+            n(run),
+            worked.formula
+        );
+        (s, worked)
+    });
+    largest(each, |(_, worked)| worked.value)
+}
+
+/// The welds of the beam web beside the rows in tension: they carry the force of a row into the web
+/// and their share of the shear force at the same time. The stretch with the largest utilisation.
+///
+/// # Source
+/// EN 1993-1-8:2005 4.5.3.2, 6.2.6.8 for the length of web per row; SCI P398 uses the same
+/// length.
+pub(super) fn tension_zone(loaded: &LoadedEnd<'_>) -> Option<Check> {
+    let (e, assessment) = (loaded.end.e, &loaded.end.assessment);
+    let vz = loaded.end.a.at(1.0)[0][2];
+    let (stretch, mut worked) = web_welds(e, assessment, |r| loaded.row_force(r), vz.abs())?;
+    worked.title = "web weld beside the rows in tension, directional method";
+    let place = loaded.place(&format!("beam web, {}", loaded.rows(stretch.first, stretch.last)));
+    Some(worked.utilised(Topic::Welds, place, Status::Failed))
+}
+
+/// Clause of the rule that welds do not limit a joint.
+const NOT_THE_WEAKEST: &str = "EN 1993-1-8:2005 6.2.3(4)";
+/// Factors α on M_j,Rd where a plastic hinge rotates in the joint: with bracing, without.
+const OVERSTRENGTH: [(f64, &str); 2] = [(1.4, "braced frame"), (1.7, "other frames")];
+/// M_j,Rd/M_pl,Rd of the beam from which the plastic hinge forms in the beam, 6.4.1(1).
+const HINGE_IN_BEAM: f64 = 1.2;
+
+/// Whether the welds are strong enough that another component limits M_j,Rd; and whether they carry
+/// the overstrength of a plastic hinge that rotates in the joint, which is a warning, because the
+/// analysis of the frame is not known. For a sense of bending that no load case has, both are
+/// warnings.
+///
+/// # Source
+/// EN 1993-1-8:2005 6.2.3(4) and (5); 4.7.1(1) for butt welds.
+pub(super) fn not_the_weakest(
+    e: &EndPlate,
+    subject: &str,
+    sense: Sense,
+    a: &Assessment,
+) -> Vec<Check> {
+    let mine = |my: f64| my != 0.0 && Sense::of_moment(my) == sense;
+    let bends = e.actions.iter().any(|x| mine(x.at(1.0)[1][1]));
+    let otherwise = if bends { Status::Failed } else { Status::Warning };
+    let mut out = Vec::new();
+    out.extend(of_the_flange(e, subject, a, otherwise));
+    if e.web_throat == 0.0 {
+        let strength = e.beam.tw * e.beam_steel.fy / e.factors.gamma_m0;
+        let words =
+            "full penetration: as strong as the web (4.7.1), it limits no row; t_w f_y/γ_M0";
+        let title = "web weld no weaker than the rows in tension";
+        let worked = Worked::new(NOT_THE_WEAKEST, title, strength, Unit::ForcePerLength, words);
+        out.push(worked.information(Topic::Welds, format!("beam web, {subject}")));
+    }
+    // every row at its resistance, without shear force
+    let full = |r: usize| a.rows.get(r).map_or(0.0, |row| row.force);
+    if let Some((stretch, mut worked)) = web_welds(e, a, full, 0.0) {
+        worked.clause = NOT_THE_WEAKEST;
+        worked.title = "web weld no weaker than the rows in tension";
+        let each = a.rows.get(stretch.first..=stretch.last).unwrap_or_default().iter();
+        let each: Vec<String> = each.map(|r| n(sense.z(r.z))).collect();
+        let place = format!("beam web, {subject}, z = {} mm", each.join(" and "));
+        out.push(worked.utilised(Topic::Welds, place, otherwise));
+    }
+    out
+}
+
+/// The part of [`not_the_weakest`] for the welds of the flange in tension.
+fn of_the_flange(e: &EndPlate, subject: &str, a: &Assessment, otherwise: Status) -> Vec<Check> {
+    let place = format!("beam flange, {subject}");
+    let (joint, lever) = (a.moment.value, e.beam.h - e.beam.tf);
+    if e.flange_throat == 0.0 {
+        let strength = flange_strength(e);
+        let words =
+            "full penetration: as strong as the flange (4.7.1), it limits no joint; b t_f f_y/γ_M0";
+        let worked = Worked::new(
+            NOT_THE_WEAKEST,
+            "flange weld no weaker than the joint",
+            strength,
+            Unit::Force,
+            words,
+        );
+        return vec![worked.information(Topic::Welds, place)];
+    }
+    let Some(welds) = flange_resistance(e, NOT_THE_WEAKEST) else { return Vec::new() };
+    let flange = flange_strength(e);
+    let check = |clause, title, (moment, words): (f64, String), otherwise| {
+        let pull = moment / lever;
+        let mut worked = welds.clone();
+        (worked.clause, worked.title) = (clause, title);
+        worked.formula = format!(
+            "F_Ed = min({words}/(h − t_f), b t_f f_y/γ_M0) = min({}/{}, {}) = {}; {}",
+            Unit::Moment.show(moment),
+            Unit::Length.show(lever),
+            Unit::Force.show(flange),
+            Unit::Force.show(pull.min(flange)),
+            worked.formula
+        );
+        worked.against(Topic::Welds, place.clone(), pull.min(flange), otherwise)
+    };
+    let title = "flange weld no weaker than the joint";
+    let mut out = vec![check(NOT_THE_WEAKEST, title, (joint, "M_j,Rd".to_owned()), otherwise)];
+    let plastic = 1e3 * e.beam.w_pl_y * e.beam_steel.fy / e.factors.gamma_m0;
+    // no hinge rotates in the joint where the beam yields first, or in a sense that no load case
+    // has
+    if within(HINGE_IN_BEAM * plastic, joint)
+        || (otherwise != Status::Failed && !e.actions.is_empty())
+    {
+        return out;
+    }
+    for (alpha, frame) in OVERSTRENGTH {
+        let title = "flange weld where a plastic hinge turns in the joint";
+        let moment = (alpha * joint).min(plastic);
+        let words = format!("min({} M_j,Rd, M_pl,Rd) ({frame})", n(alpha));
+        out.push(check("EN 1993-1-8:2005 6.2.3(5)", title, (moment, words), Status::Warning));
+    }
+    out
+}

@@ -1,0 +1,105 @@
+//! Effective lengths of fillet welds: one rule for all welds, by `welds.ends` of the spec.
+
+use crate::check::{Check, Topic, Unit, number as n};
+use bracket_joint::assembly::EndPlate;
+use bracket_joint::spec::welds::WeldEnds;
+use std::f64::consts::SQRT_2;
+
+/// Effective length of a weld with its derivation.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct EffectiveLength {
+    /// l_eff \[mm\]; negative where a run is shorter than its ends.
+    pub value: f64,
+    /// `l_eff = …` with symbols and numbers.
+    pub formula: String,
+}
+
+impl EffectiveLength {
+    fn new(symbols: &str, numbers: &str, value: f64) -> Self {
+        let formula = format!("l_eff = {symbols} = {numbers} = {}", Unit::Length.show(value));
+        Self { value, formula }
+    }
+}
+
+/// A single run of a weld, `length` long \[mm\], with its throat \[mm\].
+///
+/// # Source
+/// EN 1993-1-8:2005 4.5.1(1): l − 2 a, or l where the weld is full-size up to its ends.
+pub(super) fn run(e: &EndPlate, length: f64, throat: f64) -> EffectiveLength {
+    match e.welds.ends {
+        WeldEnds::AllRound => EffectiveLength::new("l", &n(length), length),
+        WeldEnds::Returned | WeldEnds::Open => {
+            let numbers = format!("{} − 2 · {}", n(length), n(throat));
+            EffectiveLength::new("l − 2 a", &numbers, length - 2.0 * throat)
+        }
+    }
+}
+
+/// The welds of one flange of the beam: outside along its width, inside up to the root fillets.
+///
+/// # Source
+/// EN 1993-1-8:2005 4.5.1(1). A weld that is full-size round the tips has its ends at the root
+/// fillets alone; each loses a leg √2 a, more than the throat that the code asks. Open runs that
+/// are too short, 4.5.1(2), do not count.
+pub(super) fn flange(e: &EndPlate) -> EffectiveLength {
+    let (b, a) = (&e.beam, e.flange_throat);
+    let all = 2.0 * b.b - b.tw - 2.0 * b.r;
+    let (symbols, numbers) =
+        ("2 b − t_w − 2 r", format!("2 · {} − {} − 2 · {}", n(b.b), n(b.tw), n(b.r)));
+    match e.welds.ends {
+        WeldEnds::AllRound => EffectiveLength::new(symbols, &numbers, all),
+        WeldEnds::Returned => EffectiveLength::new(
+            &format!("{symbols} − 2√2 a"),
+            &format!("{numbers} − 2√2 · {}", n(a)),
+            all - 2.0 * SQRT_2 * a,
+        ),
+        WeldEnds::Open => EffectiveLength::new(
+            &format!("{symbols} − 6 a"),
+            &format!("{numbers} − 6 · {}", n(a)),
+            all - 6.0 * a,
+        ),
+    }
+}
+
+/// Length of the shortest of the welds of a flange that stand alone, for 4.5.1(2) \[mm\]: outside
+/// along its width, or one of the inside runs where they stop at the tips.
+pub(super) fn shortest_of_flange(e: &EndPlate) -> f64 {
+    let (b, a) = (&e.beam, e.flange_throat);
+    match e.welds.ends {
+        WeldEnds::Open => run(e, 0.5 * (b.b - b.tw) - b.r, a).value,
+        WeldEnds::Returned | WeldEnds::AllRound => run(e, b.b, a).value,
+    }
+}
+
+/// Clear depth of the beam web between the root fillets \[mm\].
+pub(super) fn web_depth(e: &EndPlate) -> f64 {
+    e.beam.h - 2.0 * (e.beam.tf + e.beam.r)
+}
+
+/// Each of the two welds of the beam web, between the root fillets.
+pub(super) fn web(e: &EndPlate) -> EffectiveLength {
+    run(e, web_depth(e), e.web_throat)
+}
+
+/// The rule that the checks follow; `None` for a joint without fillet welds.
+pub(super) fn rule(e: &EndPlate) -> Option<Check> {
+    let column = e.column.as_ref().map_or(0.0, |c| c.stiffener_throat.max(c.doubler_throat));
+    let throats = [e.flange_throat, e.web_throat, e.rib_throat, column];
+    if throats.iter().all(|a| *a == 0.0) {
+        return None;
+    }
+    let words = match e.welds.ends {
+        WeldEnds::Returned => {
+            "fillets are full-size round the tips of the flanges, where they lose a leg √2 a at \
+             either end; every other run loses 2 a (welds.ends: returned; open and all_round say \
+             otherwise)"
+        }
+        WeldEnds::Open => "every run of a fillet weld loses 2 a (welds.ends: open)",
+        WeldEnds::AllRound => {
+            "fillets are full-size round all tips and root fillets, so that no run loses anything \
+             (welds.ends: all_round)"
+        }
+    };
+    let (clause, title) = ("EN 1993-1-8:2005 4.5.1(1)", "effective length of fillet welds");
+    Some(Check::assumption(Topic::Welds, "welds", clause, title, words))
+}

@@ -1,0 +1,48 @@
+//! Block tearing: EN 1993-1-8:2005 3.10.2.
+
+use crate::check::{Unit, number as n};
+use crate::worked::Worked;
+
+/// Blocks of a plate that a bolt group tears out together, each with one face in tension and one in
+/// shear.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Blocks {
+    /// How many there are.
+    pub count: f64,
+    /// Net length of the face in tension \[mm\].
+    pub tension: f64,
+    /// Net length of the face in shear \[mm\].
+    pub shear: f64,
+    /// Thickness of the plate \[mm\].
+    pub thickness: f64,
+    /// Nominal yield strength of the plate \[MPa\].
+    pub fy: f64,
+    /// Nominal ultimate strength of the plate \[MPa\].
+    pub fu: f64,
+}
+
+impl Blocks {
+    /// Design resistance of a symmetric bolt group under a concentric force \[N\].
+    ///
+    /// `V_eff,1,Rd = f_u A_nt/γ_M2 + f_y A_nv/(√3 γ_M0)`.
+    ///
+    /// # Source
+    /// EN 1993-1-8:2005 3.10.2(2), formula 3.9.
+    pub fn resistance(&self, gamma_m0: f64, gamma_m2: f64) -> Worked {
+        let area = |length: f64| self.count * length.max(0.0) * self.thickness;
+        let (tension, shear) = (area(self.tension), area(self.shear));
+        let value = self.fu * tension / gamma_m2 + self.fy * shear / (3f64.sqrt() * gamma_m0);
+        let formula = format!(
+            "V_eff,1,Rd = f_u A_nt/γ_M2 + f_y A_nv/(√3 γ_M0) = {} · {}/{} + {} · {}/(√3 · {})",
+            n(self.fu),
+            n(tension),
+            n(gamma_m2),
+            n(self.fy),
+            n(shear),
+            n(gamma_m0)
+        );
+        Worked::new("EN 1993-1-8:2005 3.10.2(2)", "block tearing", value, Unit::Force, formula)
+            .with("A_nt", tension, Unit::Area)
+            .with("A_nv", shear, Unit::Area)
+    }
+}

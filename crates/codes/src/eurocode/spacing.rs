@@ -1,0 +1,98 @@
+//! Spacing, end and edge distances: EN 1993-1-8:2005 Table 3.3; room for tools and washers.
+
+use crate::check::{Check, Status, Topic, number as n};
+
+const TABLE: &str = "EN 1993-1-8:2005 Table 3.3";
+/// In place of a clause: the room that a socket wrench needs.
+const PRACTICE: &str = "practice";
+
+/// Distances of one rectangular pattern of bolts in one plate \[mm\]; `None` where a distance does
+/// not exist.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pattern {
+    /// Hole diameter.
+    pub d0: f64,
+    /// Thickness of the thinner outer plate.
+    pub thickness: f64,
+    /// Smallest end distance.
+    pub e1: Option<f64>,
+    /// Smallest edge distance.
+    pub e2: Option<f64>,
+    /// Smallest and largest pitch of the rows.
+    pub p1: Option<[f64; 2]>,
+    /// Distance between the columns.
+    pub p2: Option<f64>,
+}
+
+/// Checks of a pattern; `subject` names the plate.
+///
+/// The least values are binding: e1, e2 ≥ 1.2 d0, p1 ≥ 2.2 d0, p2 ≥ 2.4 d0. The greatest values (e
+/// ≤ 4 t + 40 mm; p1, p2 ≤ min(14 t, 200 mm)) apply to exposed and to compressed plates only (note
+/// 1 of the table): exceeding one is a warning.
+///
+/// # Source
+/// EN 1993-1-8:2005 Table 3.3.
+pub fn pattern_checks(subject: &str, p: &Pattern) -> Vec<Check> {
+    let least = |title: &str, symbol: &str, factor: f64, provided: f64| {
+        let rule = format!("{} d0 = {} · {}", n(factor), n(factor), n(p.d0));
+        let what = (Topic::Detailing, subject);
+        Check::at_least(
+            what,
+            (TABLE, title),
+            symbol,
+            (factor * p.d0, rule),
+            provided,
+            Status::Failed,
+        )
+    };
+    let most = |title: &str, symbol: &str, (allowed, rule): (f64, &str), provided: f64| {
+        let what = (Topic::Detailing, subject);
+        Check::at_most(what, (TABLE, title), symbol, (allowed, rule), provided, Status::Warning)
+    };
+    let edge = (4.0 * p.thickness + 40.0, "4 t + 40 mm");
+    let pitch = ((14.0 * p.thickness).min(200.0), "min(14 t, 200 mm)");
+    let mut out = Vec::new();
+    for (e, symbol, title) in [(p.e1, "e1", "end distance"), (p.e2, "e2", "edge distance")] {
+        if let Some(e) = e {
+            out.push(least(title, symbol, 1.2, e));
+            out.push(most(&format!("{title}, exposed steel"), symbol, edge, e));
+        }
+    }
+    if let Some([smallest, largest]) = p.p1 {
+        out.push(least("pitch of the rows", "p1", 2.2, smallest));
+        out.push(most("pitch of the rows, exposed or compressed steel", "p1", pitch, largest));
+    }
+    if let Some(p2) = p.p2 {
+        out.push(least("gauge of the bolt columns", "p2", 2.4, p2));
+        out.push(most("gauge of the bolt columns, exposed or compressed steel", "p2", pitch, p2));
+    }
+    out
+}
+
+/// Room for a socket wrench between the axis of a bolt and a web, a flange or the toe of its weld
+/// \[mm\].
+///
+/// About `2 d + 5 mm`. No clause of the code: a shorter distance is a warning.
+pub fn wrench_check(subject: &str, distance: f64, d: f64) -> Check {
+    let what = (Topic::Detailing, subject);
+    let rule = (2.0 * d + 5.0, format!("2 d + 5 mm = 2 · {} + 5", n(d)));
+    Check::at_least(what, (PRACTICE, "spanner clearance"), "c", rule, distance, Status::Warning)
+}
+
+/// Whether a washer of outer diameter `washer` bears on a plane surface: the distance of the bolt
+/// axis from the face of the web must be at least the root radius and half of the washer \[mm\].
+///
+/// Washers and nuts must bear on plane surfaces (EN 1090-2 8.2). Plain bolts in normal holes need
+/// no washers (8.2.4), so a shorter distance is a warning.
+pub fn washer_check(subject: &str, distance: f64, washer: f64, root: f64) -> Check {
+    let what = (Topic::Detailing, subject);
+    let rule = (root + 0.5 * washer, format!("r + d_w/2 = {} + {}/2", n(root), n(washer)));
+    Check::at_least(
+        what,
+        ("EN 1090-2 8.2", "washer clear of the root fillet"),
+        "c",
+        rule,
+        distance,
+        Status::Warning,
+    )
+}

@@ -1,0 +1,48 @@
+//! The check or the bound that decides a verdict.
+
+use crate::check::Check;
+use bracket_base::math::figures::{Rounding, utilisation};
+use serde::{Deserialize, Serialize};
+
+/// Check or bound that decides a verdict.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Governing {
+    /// The load case; absent for a check that needs no load.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub case: Option<String>,
+    /// Check and place, in words.
+    pub what: String,
+    /// Clause, or `limit analysis`.
+    pub clause: String,
+    /// Demand over resistance, lower and upper bound; both equal for a hand check, absent where
+    /// there is no number.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub utilisation: Option<[f64; 2]>,
+}
+
+impl Governing {
+    /// A check that governs.
+    pub(super) fn by_check(c: &Check) -> Self {
+        Self {
+            case: c.case.clone(),
+            what: format!("{}, {}", c.title, c.subject),
+            clause: c.clause.clone(),
+            utilisation: c.utilisation.map(|u| [u, u]),
+        }
+    }
+
+    /// The governing check with its utilisation and clause.
+    pub fn words(&self) -> String {
+        let used = match self.utilisation {
+            Some([l, u]) if l == u => {
+                format!(", utilisation {}", utilisation(u, Rounding::Nearest))
+            }
+            Some([l, u]) => {
+                let (l, u) = (utilisation(l, Rounding::Down), utilisation(u, Rounding::Up));
+                format!(", utilisation {l} … {u}")
+            }
+            None => String::new(),
+        };
+        format!("{}{used} ({})", self.what, self.clause)
+    }
+}

@@ -1,0 +1,27 @@
+//! The checks of a whole joint: those of its end plates, and what its load cases need besides.
+
+use super::check::{Check, Topic};
+use super::end_plate::{HandChecks, hand_checks};
+use super::worked::Worked;
+use crate::check::{Status, Unit};
+use bracket_joint::assembly::{Idle, Joint};
+
+/// The hand checks of a joint, with those of the load cases in which nothing acts.
+pub fn joint_checks(joint: &Joint) -> HandChecks {
+    let mut out = joint.end_plate.as_ref().map(hand_checks).unwrap_or_default();
+    let demands = || joint.idle.iter().filter(|i| i.demand);
+    out.checks.extend(demands().map(nothing_acts));
+    out.checks.sort_by_key(|c| c.topic);
+    let service = demands().filter(|i| !i.state.is_ultimate());
+    out.serviceability.extend(service.map(|i| i.case.clone()));
+    out.neglected.clone_from(&joint.neglected);
+    out
+}
+
+/// The check of a load case in which nothing acts. It always holds.
+fn nothing_acts(idle: &Idle) -> Check {
+    let formula = "every action at the member ends is zero or neglected; E_d/R_d";
+    Worked::new("EN 1990:2002 6.4.2(3)", "nothing acts", 0.0, Unit::Number, formula)
+        .utilised(Topic::Member, "all member ends", Status::Failed)
+        .of_case(&idle.case)
+}

@@ -1,0 +1,16 @@
+//! The analysis model: the common form of a connection spec and a MODEL.yaml.
+
+pub mod analysis;
+pub mod analysis_kind;
+pub mod contact;
+pub mod error;
+pub mod file;
+pub mod friction_law;
+pub mod loads;
+pub mod opening;
+pub mod resolve;
+
+pub use analysis::AnalysisModel;
+pub use analysis_kind::AnalysisKind;
+pub use error::ModelError;
+pub use friction_law::FrictionLaw;

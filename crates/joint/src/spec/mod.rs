@@ -1,0 +1,13 @@
+//! The YAML files that a user writes.
+
+pub mod analysis;
+pub mod code;
+pub mod connection;
+pub mod expr;
+pub mod friction;
+pub mod loads;
+pub mod polygon;
+pub mod welds;
+mod word;
+
+pub use connection::ConnectionSpec;

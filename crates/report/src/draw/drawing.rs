@@ -1,0 +1,406 @@
+//! Drawings of an end plate joint: side view and front view with dimensions, and a sketch of the
+//! actions with their signs.
+//!
+//! They show the input of the hand checks (`assembly::EndPlate`), so that the reader sees a wrong
+//! value of a spec, and the bolts and further plates of the geometry (`assembly::Content`).
+
+use crate::draw::svg::{Anchor, Drawing, LINE, Pen};
+use crate::draw::weld_symbol::weld_symbol;
+use bracket_codes::check::{Unit, number as n};
+use bracket_codes::end_plate::{PartItem, PartSize, parts_list};
+use bracket_joint::assembly::content::PieceKind;
+use bracket_joint::assembly::{Content, EndPlate, PlaneActions};
+
+/// Height of the joint on the page \[pixels\].
+const HEIGHT: f64 = 380.0;
+/// Largest width of a view \[pixels\].
+const WIDTH: f64 = 420.0;
+const STEEL: &str = "#eef1f4";
+const BOLT: &str = "#c9d3dc";
+const FURTHER: &str = "#f3e3c3";
+const MARGIN: f64 = 24.0;
+/// Width of a column from which a weld symbol has room in its panel \[pixels\].
+const WELD_ROOM: f64 = 75.0;
+/// Load cases whose values the sketch of the actions gives.
+const MOST_VALUES: usize = 6;
+
+/// Side view and front view of a joint with what it is made of. `length` is the nominal length of
+/// the bolts, if a suitable length is stocked.
+pub fn views(e: &EndPlate, joint: &Content, length: Option<f64>) -> String {
+    sheet(e, joint, length).finish("Joint, side view and front view of the end plate")
+}
+
+/// Actions at the member ends with their positive senses, and their values.
+pub fn actions(e: &EndPlate) -> String {
+    loads(e).finish("Actions at the member ends, positive senses")
+}
+
+/// Maps millimetres of the joint to pixels of the page.
+struct Scale {
+    /// Pixels per millimetre.
+    k: f64,
+    /// Page coordinates of x = 0, z = 0.
+    origin: [f64; 2],
+}
+
+impl Scale {
+    fn at(&self, x: f64, z: f64) -> [f64; 2] {
+        [self.origin[0] + self.k * x, self.origin[1] - self.k * z]
+    }
+}
+
+/// Upper and lower end of the drawing \[mm\]: the column continues beyond the plate.
+fn extent(e: &EndPlate) -> [f64; 2] {
+    let half = 0.5 * e.beam.h;
+    let beyond = if e.column.is_some() { 0.22 * e.beam.h } else { 0.0 };
+    [e.bottom.min(-half) - beyond, e.top.max(half) + beyond]
+}
+
+fn sheet(e: &EndPlate, joint: &Content, length: Option<f64>) -> Drawing {
+    let mut d = Drawing::default();
+    let [low, high] = extent(e);
+    let stub = 0.8 * e.beam.h;
+    let depth = e.column.as_ref().map_or(0.0, |c| c.section.h);
+    // a splice has both plates, a column one or two
+    let both = e.column.is_none() || joint.end_plates() > 1;
+    let right = 0.5 * depth + e.thickness + stub;
+    let left = if both { right } else { 0.5 * depth };
+    let k = (HEIGHT / (high - low)).min(WIDTH / (left + right));
+    let top = MARGIN + 1.5 * LINE;
+    let side = Scale { k, origin: [MARGIN + 40.0 + k * left, top + k * high] };
+    d.text([side.origin[0], MARGIN], Anchor::Middle, "side view");
+    side_view(&mut d, e, joint, &side, both, [low, high]);
+    let wide = e.width.max(e.column.as_ref().map_or(0.0, |c| c.section.b));
+    let centre = side.origin[0] + k * right + 150.0 + 0.5 * k * wide;
+    let front = Scale { k, origin: [centre, side.origin[1]] };
+    d.text([centre, MARGIN], Anchor::Middle, "end plate, seen from the beam");
+    front_view(&mut d, e, joint, &front, [low, high]);
+    let below = side.at(0.0, low)[1] + 5.5 * LINE;
+    for (i, text) in legend(e, joint, both, length).iter().enumerate() {
+        d.text([MARGIN, below + LINE * i as f64], Anchor::Start, text);
+    }
+    d
+}
+
+fn side_view(
+    d: &mut Drawing,
+    e: &EndPlate,
+    joint: &Content,
+    s: &Scale,
+    both: bool,
+    [low, high]: [f64; 2],
+) {
+    let half = 0.5 * e.beam.h;
+    let face = e.column.as_ref().map_or(0.0, |c| 0.5 * c.section.h);
+    if let Some(c) = &e.column {
+        let (h, tf) = (face, c.section.tf);
+        d.rectangle(Pen::None, STEEL, s.at(-h, low), s.at(h, high));
+        for x in [-h, -h + tf, h - tf, h] {
+            d.line(Pen::Edge, s.at(x, low), s.at(x, high));
+        }
+        if c.doubler > 0.0 {
+            let inner = h - tf - c.section.r;
+            d.rectangle(Pen::Hidden, "none", s.at(-inner, e.bottom), s.at(inner, e.top));
+        }
+        if c.stiffener > 0.0 {
+            for z in [half - 0.5 * e.beam.tf, -half + 0.5 * e.beam.tf] {
+                let t = 0.5 * c.stiffener;
+                d.rectangle(Pen::Edge, BOLT, s.at(-h + tf, z - t), s.at(h - tf, z + t));
+            }
+        }
+        // the column continues beyond the drawing
+        for z in [low, high] {
+            break_line(d, s.at(-h, z), s.at(h, z));
+        }
+    }
+    let sides: &[f64] = if both { &[1.0, -1.0] } else { &[1.0] };
+    let stub = 0.8 * e.beam.h;
+    for &side in sides {
+        let (start, end) = (side * (face + e.thickness), side * (face + e.thickness + stub));
+        d.rectangle(Pen::Edge, STEEL, s.at(side * face, e.bottom), s.at(start, e.top));
+        d.rectangle(Pen::None, STEEL, s.at(start, -half), s.at(end, half));
+        for z in [half, half - e.beam.tf, -half + e.beam.tf, -half] {
+            d.line(Pen::Edge, s.at(start, z), s.at(end, z));
+        }
+        break_line(d, s.at(end, -half), s.at(end, half));
+    }
+    let welds = e.column.as_ref().filter(|c| c.stiffener > 0.0 && 2.0 * face * s.k > WELD_ROOM);
+    if let Some(c) = welds {
+        // inside the panel, to the end of the lower stiffener on the side of the beam
+        let end = [face - c.section.tf, -half + 0.5 * e.beam.tf + 0.5 * c.stiffener];
+        let [x, _] = s.at(-face + c.section.tf, 0.0);
+        weld_symbol(
+            d,
+            s.at(end[0], end[1]),
+            [x + 6.0, s.at(0.0, -0.4 * half)[1]],
+            c.stiffener_throat,
+        );
+    }
+    let [start, end] = [0.0, stub].map(|x| face + e.thickness + x);
+    let place = s.at(start + 0.32 * (end - start), 0.0);
+    weld_symbol(d, s.at(start, half), [place[0], s.at(0.0, high)[1]], e.flange_throat);
+    weld_symbol(d, s.at(start, 0.1 * half), place, e.web_throat);
+    let reach = face + e.thickness + stub;
+    let [from, to] = [if both { -reach } else { -face }, reach];
+    further(d, s, joint, 0, [from, to], [low, high]);
+    // drawn last, over the parts that they pass through
+    let mut drawn: Vec<[f64; 3]> = Vec::new();
+    for b in joint.fasteners.iter().filter(|b| b.axis == 0) {
+        let place = [b.head[0], b.head[0] + b.toward * b.grip(), b.head[2]];
+        if !drawn.contains(&place) {
+            drawn.push(place);
+            bolt(d, e, s, b.toward, [place[0], place[1]], place[2]);
+        }
+    }
+    // below: column and plate, or both plates
+    let from = s.at(0.0, low)[1];
+    let (points, show) = match &e.column {
+        Some(c) => (vec![-face, face, face + e.thickness], vec![n(c.section.h), n(e.thickness)]),
+        None => (vec![-e.thickness, 0.0, e.thickness], vec![n(e.thickness); 2]),
+    };
+    let xs: Vec<f64> = points.iter().map(|x| s.at(*x, 0.0)[0]).collect();
+    d.horizontal_chain(from + 22.0, from, &xs, &show);
+    let [x, _] = s.at(face + e.thickness + stub, 0.0);
+    let ys = [-half, half].map(|z| s.at(0.0, z)[1]);
+    d.vertical_chain(x + 22.0, true, x, &ys, &[n(e.beam.h)]);
+}
+
+/// A bolt in the side view with the bearing faces of head and nut. `toward` is the sign of the way
+/// from head to nut.
+fn bolt(d: &mut Drawing, e: &EndPlate, s: &Scale, toward: f64, [head, nut]: [f64; 2], z: f64) {
+    let b = &e.bolt;
+    let mut piece = |x: [f64; 2], half: f64| {
+        d.rectangle(Pen::Edge, BOLT, s.at(x[0], z - half), s.at(x[1], z + half));
+    };
+    piece([head, nut], 0.5 * b.d);
+    piece([head - toward * b.head_height, head], 0.5 * b.head_width);
+    piece([nut, nut + toward * b.nut_height], 0.5 * b.nut_width);
+}
+
+/// The plates that the hand checks do not know, as far as they lie in the drawing: `across` is the
+/// axis that is horizontal on the page, `wide` its interval.
+fn further(
+    d: &mut Drawing,
+    s: &Scale,
+    joint: &Content,
+    across: usize,
+    wide: [f64; 2],
+    high: [f64; 2],
+) {
+    let within = |x: [f64; 2], limits: [f64; 2]| {
+        let cut = [x[0].max(limits[0]), x[1].min(limits[1])];
+        (cut[0] < cut[1]).then_some(cut)
+    };
+    for p in joint.pieces.iter().filter(|p| p.kind == PieceKind::Other) {
+        if let (Some(x), Some(z)) = (within(p.extent[across], wide), within(p.extent[2], high)) {
+            d.rectangle(Pen::Edge, FURTHER, s.at(x[0], z[0]), s.at(x[1], z[1]));
+        }
+    }
+}
+
+/// The end of a member that continues: a line with a zigzag in its middle.
+fn break_line(d: &mut Drawing, a: [f64; 2], b: [f64; 2]) {
+    let at = |t: f64, off: f64| {
+        let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
+        let length = dx.hypot(dy).max(1.0);
+        [a[0] + t * dx - off * dy / length, a[1] + t * dy + off * dx / length]
+    };
+    let path =
+        [at(0.0, 0.0), at(0.44, 0.0), at(0.48, 5.0), at(0.52, -5.0), at(0.56, 0.0), at(1.0, 0.0)];
+    path.windows(2).for_each(|w| d.line(Pen::Edge, w[0], w[1]));
+}
+
+fn front_view(d: &mut Drawing, e: &EndPlate, joint: &Content, s: &Scale, [low, high]: [f64; 2]) {
+    let (half, b) = (0.5 * e.beam.h, &e.beam);
+    if let Some(c) = &e.column {
+        for y in [-0.5, 0.5].map(|y| y * c.section.b) {
+            d.line(Pen::Hidden, s.at(y, low), s.at(y, high));
+        }
+    }
+    let w = 0.5 * e.width;
+    d.rectangle(Pen::Edge, STEEL, s.at(-w, e.bottom), s.at(w, e.top));
+    for z in [half - b.tf, -half] {
+        d.rectangle(Pen::Edge, BOLT, s.at(-0.5 * b.b, z), s.at(0.5 * b.b, z + b.tf));
+    }
+    d.rectangle(Pen::Edge, BOLT, s.at(-0.5 * b.tw, -half + b.tf), s.at(0.5 * b.tw, half - b.tf));
+    if e.rib > 0.0 {
+        d.rectangle(Pen::Edge, BOLT, s.at(-0.5 * e.rib, half), s.at(0.5 * e.rib, e.top));
+    }
+    // those in front of the end plate
+    let face = e.column.as_ref().map_or(0.0, |c| 0.5 * c.section.h);
+    let mut front = joint.clone();
+    front.pieces.retain(|p| p.extent[0][1] > face + e.thickness);
+    further(d, s, &front, 1, [-2.0 * w, 2.0 * w], [low, high]);
+    for &z in &e.rows {
+        for y in e.columns() {
+            // a hexagon with two vertical sides
+            let r = 0.5 * e.bolt.head_corners;
+            let corners: Vec<[f64; 2]> = (0..6)
+                .map(|i| std::f64::consts::FRAC_PI_3 * (f64::from(i) + 0.5))
+                .map(|a| s.at(y + r * a.cos(), z + r * a.sin()))
+                .collect();
+            d.polygon(Pen::Edge, "#ffffff", &corners);
+            d.circle(Pen::Edge, BOLT, s.at(y, z), 0.5 * s.k * e.bolt.d);
+            let reach = 1.5 * r;
+            d.line(Pen::Thin, s.at(y - reach, z), s.at(y + reach, z));
+            d.line(Pen::Thin, s.at(y, z - reach), s.at(y, z + reach));
+        }
+    }
+    // right: ends and rows, then the total; left: the flanges of the beam
+    let wide = w.max(e.column.as_ref().map_or(0.0, |c| 0.5 * c.section.b));
+    let [right, left] = [s.at(wide, 0.0)[0], s.at(-wide, 0.0)[0]];
+    let mut rows = e.rows.clone();
+    rows.sort_by(f64::total_cmp);
+    let points: Vec<f64> = [e.bottom].into_iter().chain(rows).chain([e.top]).collect();
+    let chain = |points: &[f64]| -> (Vec<f64>, Vec<String>) {
+        let show = points.windows(2).map(|w| n(w[1] - w[0])).collect();
+        (points.iter().map(|z| s.at(0.0, *z)[1]).collect(), show)
+    };
+    let (ys, show) = chain(&points);
+    d.vertical_chain(right + 22.0, true, right, &ys, &show);
+    let (ys, show) = chain(&[e.bottom, e.top]);
+    d.vertical_chain(right + 74.0, true, right + 60.0, &ys, &show);
+    let (ys, show) = chain(&[e.bottom, -half, half, e.top]);
+    d.vertical_chain(left - 22.0, false, left, &ys, &show);
+    // below: edges and gauge, then the total
+    let from = s.at(0.0, low)[1];
+    let ys: Vec<f64> = [-w].into_iter().chain(e.columns()).chain([w]).collect();
+    let show: Vec<String> = ys.windows(2).map(|w| n(w[1] - w[0])).collect();
+    let xs: Vec<f64> = ys.iter().map(|y| s.at(*y, 0.0)[0]).collect();
+    d.horizontal_chain(from + 16.0, from, &xs, &show);
+    d.horizontal_chain(from + 52.0, from + 46.0, &[xs[0], xs[xs.len() - 1]], &[n(e.width)]);
+}
+
+/// Names and sizes of the parts.
+fn legend(e: &EndPlate, joint: &Content, both: bool, length: Option<f64>) -> Vec<String> {
+    let mut out = Vec::new();
+    if let Some(c) = &e.column {
+        out.push(format!("column {} {}", c.section.name, c.steel.grade));
+    }
+    let beams = if both { "beams" } else { "beam" };
+    out.push(format!("{beams} {} {}", e.beam.name, e.beam_steel.grade));
+    let plates = if both { "2 end plates" } else { "end plate" };
+    let size = format!("{} × {} × {}", n(e.thickness), n(e.width), n(e.top - e.bottom));
+    out.push(format!("{plates} {size} {}", e.plate_steel.grade));
+    let long = length.map_or(String::new(), |l| format!(" × {}", n(l)));
+    let count = joint.fasteners.len();
+    out.push(format!(
+        "{count} bolts {}{long} {}, holes of {} mm",
+        e.bolt.size,
+        e.grade.grade,
+        n(e.hole)
+    ));
+    if let Some(c) = &e.column {
+        if c.stiffener > 0.0 {
+            let clip = c.stiffener_clip;
+            let corners =
+                if clip > 0.0 { format!(", corners cut by {} mm", n(clip)) } else { String::new() };
+            out.push(format!(
+                "stiffeners {} × {} × {}{corners}, on both sides of the column web",
+                n(c.stiffener),
+                n(0.5 * (c.section.b - c.section.tw)),
+                n(c.section.h - 2.0 * c.section.tf)
+            ));
+        }
+        if c.doubler > 0.0 {
+            out.push(format!("web doubler of {} mm on one side (dashed)", n(c.doubler)));
+        }
+    }
+    if e.rib > 0.0 {
+        out.push(format!("rib of {} mm on the upper flange (front view)", n(e.rib)));
+    }
+    out.extend(further_legend(joint));
+    let weld =
+        |a: f64| if a > 0.0 { format!("fillet a = {}", n(a)) } else { "full penetration".into() };
+    out.push(format!("welds: flanges {}, web {}", weld(e.flange_throat), weld(e.web_throat)));
+    if let Some(c) = e.column.as_ref().filter(|c| c.stiffener > 0.0) {
+        out.push(format!("welds of the stiffeners: {}", weld(c.stiffener_throat)));
+    }
+    out.push("dimensions in mm; z from the beam's axis, up".into());
+    out
+}
+
+/// The plates that the hand checks do not know.
+fn further_legend(joint: &Content) -> Vec<String> {
+    let mut further = joint.clone();
+    further.fasteners.clear();
+    further.pieces.retain(|p| p.kind == PieceKind::Other);
+    let line = |i: PartItem| {
+        let PartSize::Plate(sizes) = i.size else { return None };
+        let sizes = sizes.map(n).join(" × ");
+        Some(format!("{} × {} {sizes} {} (not in the checks)", i.count, i.part, i.steel))
+    };
+    parts_list(&further).into_iter().filter_map(line).collect()
+}
+
+/// The joint as lines, an arrow for every positive action, and the values of the load cases.
+fn loads(e: &EndPlate) -> Drawing {
+    let mut d = Drawing::default();
+    let ends: Vec<&str> = e.actions.iter().fold(Vec::new(), |mut ends, a| {
+        if !ends.contains(&a.end.as_str()) {
+            ends.push(&a.end);
+        }
+        ends
+    });
+    let [x, y] = [330.0, 150.0];
+    let face = if e.column.is_some() { 26.0 } else { 0.0 };
+    if e.column.is_some() {
+        d.rectangle(Pen::Edge, STEEL, [x - face, y - 95.0], [x + face, y + 95.0]);
+        d.text([x, y + 112.0], Anchor::Middle, "column");
+    }
+    let left_too = ends.iter().any(|e| e.contains("left")) || e.column.is_none();
+    let sides: &[f64] = if left_too { &[1.0, -1.0] } else { &[1.0] };
+    for &side in sides {
+        let (plane, end) = (x + side * face, x + side * 190.0);
+        d.rectangle(Pen::Edge, STEEL, [plane, y - 22.0], [end, y + 22.0]);
+        let name = if side > 0.0 { "right" } else { "left" };
+        let Some(end_name) =
+            ends.iter().find(|e| e.contains(name) || ends.len() == 1 && side > 0.0)
+        else {
+            continue;
+        };
+        d.text([x + side * 110.0, y + 38.0], Anchor::Middle, end_name);
+        d.line(Pen::Hidden, [plane, y - 70.0], [plane, y + 70.0]);
+        // tension, lift, and the moment that pulls the top
+        d.arrow([end, y], [end + side * 46.0, y]);
+        d.arrow([end, y - 26.0], [end, y - 70.0]);
+        d.turn([end, y], 34.0, side > 0.0);
+        let anchor = if side > 0.0 { Anchor::Start } else { Anchor::End };
+        d.text([end + side * 52.0, y], anchor, "N, x′");
+        d.text([end + side * 6.0, y - 78.0], anchor, "Vz, z′");
+        d.text([end + side * 34.0, y - 34.0], anchor, "My");
+    }
+    let plane =
+        if e.column.is_some() { "bolt planes = column faces" } else { "bolt plane (dashed)" };
+    d.text([x, y - 112.0], Anchor::Middle, plane);
+    let lines =
+        ["Positive as drawn: N pulls, Vz lifts, My gives tension at the top; y′ = z′ × x′. \
+                  Values at the bolt plane, load factor 1:"
+            .into()];
+    // the table of actions has those of all cases
+    let values = e.actions.iter().take(MOST_VALUES).map(value);
+    let more = e.actions.len().saturating_sub(MOST_VALUES);
+    let rest = (more > 0).then(|| format!("and {more} more, see the table of actions"));
+    let values = values.chain(rest);
+    for (i, text) in lines.into_iter().chain(values).enumerate() {
+        d.text([MARGIN, y + 140.0 + LINE * i as f64], Anchor::Start, &text);
+    }
+    d
+}
+
+fn value(a: &PlaneActions) -> String {
+    let [force, moment] = a.at(1.0);
+    let names = ["N", "Vy", "Vz", "T", "My", "Mz"];
+    let units = [Unit::Force, Unit::Force, Unit::Force, Unit::Moment, Unit::Moment, Unit::Moment];
+    let all = names.into_iter().zip(units).zip(force.into_iter().chain(moment));
+    let values: Vec<String> = all
+        .filter(|((name, _), v)| *v != 0.0 || ["N", "Vz", "My"].contains(name))
+        .map(|((name, unit), v)| format!("{name} = {}", unit.show(v).replace('-', "−")))
+        .collect();
+    let fixed = a.dead.iter().flatten().any(|v| *v != 0.0);
+    let note = if fixed { " (a part of it fixed)" } else { "" };
+    format!("{}, {}: {}{note}", a.case, a.end, values.join(", "))
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,89 @@
+//! The plot of a capacity polygon.
+
+use crate::draw::axes::Axes;
+use crate::draw::svg::{Anchor, Drawing, LINE, Pen};
+use crate::result::polygon::{CapacityPolygon, Point, rectangle};
+use bracket_base::math::convex::{HalfPlane, clip};
+
+/// The plot as SVG text.
+pub fn drawing(polygon: &CapacityPolygon) -> String {
+    let scales = polygon.axes.each_ref().map(|a| a.unit.shown().0 / a.unit.value());
+    let show = |c: &[f64; 2]| [c[0] * scales[0], c[1] * scales[1]];
+    let units = polygon.axes.each_ref().map(|a| a.unit.shown().0);
+    let points = |bound: fn(&Point) -> Option<f64>| -> Vec<[f64; 2]> {
+        let at = |p: &Point| Some(p.at(bound(p)?));
+        polygon.points.iter().filter_map(at).map(|c| [c[0] * units[0], c[1] * units[1]]).collect()
+    };
+    let (lower, upper) = (points(|p| p.lower), points(|p| p.upper));
+    let inner: Vec<[f64; 2]> = polygon.inner.iter().map(show).collect();
+    let corners: Vec<[f64; 2]> = polygon.outer.iter().map(show).collect();
+    // open sides extend beyond the frame, and so do far corners
+    let seen = lower.iter().chain(&upper).chain(&inner);
+    let mut reach = seen.fold([0.0f64; 2], |r, c| [r[0].max(c[0].abs()), r[1].max(c[1].abs())]);
+    for c in &corners {
+        (0..2).for_each(|k| reach[k] = reach[k].max(c[k].abs().min(1.5 * reach[k])));
+    }
+    let axes = Axes::new(reach);
+    let (reach, at) = (axes.reach(), |c: [f64; 2]| axes.at(c));
+    let mut d = Drawing::default();
+    let planes: Vec<HalfPlane> = polygon.points.iter().filter_map(|p| p.half_plane).collect();
+    let outer: Vec<[f64; 2]> =
+        clip(&rectangle([reach[0] / units[0], reach[1] / units[1]]), &planes)
+            .into_iter()
+            .map(|c| at([c[0] * units[0], c[1] * units[1]]))
+            .collect();
+    d.polygon(Pen::Edge, "#fde0c5", &outer);
+    d.polygon(Pen::Edge, "#bfe3c0", &inner.iter().map(|c| at(*c)).collect::<Vec<_>>());
+    let names = polygon.axes.each_ref().map(|a| format!("{} [{}]", a.action, a.unit.shown().1));
+    let [legend, top] = axes.draw(&mut d, names.each_ref().map(String::as_str));
+    for c in &lower {
+        d.circle(Pen::Edge, "#2e7d32", at(*c), 3.0);
+    }
+    for c in &upper {
+        d.circle(Pen::Edge, "#ffffff", at(*c), 3.0);
+    }
+    let open = if polygon.outer_bounded { "" } else { ", open" };
+    let lines = [
+        ("#bfe3c0", "carried (hull of lower bounds)".to_string()),
+        ("#fde0c5", format!("undecided, within the outer hull{open}")),
+    ];
+    for (i, (fill, text)) in lines.iter().enumerate() {
+        let y = top + (2.0 + 1.5 * i as f64) * LINE;
+        d.rectangle(Pen::Edge, fill, [legend, y], [legend + 22.0, y + 12.0]);
+        d.text([legend + 30.0, y + 6.0], Anchor::Start, text);
+    }
+    for (i, (fill, text)) in
+        [("#2e7d32", "lower bound of a direction"), ("#ffffff", "upper bound of a direction")]
+            .iter()
+            .enumerate()
+    {
+        let y = top + (5.5 + 1.5 * i as f64) * LINE;
+        d.circle(Pen::Edge, fill, [legend + 11.0, y], 3.0);
+        d.text([legend + 30.0, y], Anchor::Start, text);
+    }
+    d.finish(&format!("Capacity in {} and {}", polygon.axes[0].action, polygon.axes[1].action))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::result::fixtures::square;
+
+    #[test]
+    fn an_open_side_is_named() {
+        let polygon = square(false);
+        assert!(drawing(&polygon).contains("open"));
+    }
+
+    #[test]
+    fn the_plot_has_both_hulls_all_points_and_its_scales() {
+        for polygon in [square(true), square(false)] {
+            let svg = drawing(&polygon);
+            assert_eq!(svg.matches("<polygon").count(), 2);
+            assert_eq!(svg.matches("<circle").count(), 8 + 2);
+            for part in ["My [kN m]", "N [kN]", ">100<", ">−200<"] {
+                assert!(svg.contains(part), "{part}: {svg}");
+            }
+        }
+    }
+}

@@ -1,0 +1,32 @@
+//! Weld symbols of ISO 2553: an arrow to the joint, a reference line, the symbol on it.
+
+use crate::draw::svg::{Anchor, Drawing, Pen};
+use bracket_codes::check::number as n;
+
+/// Side of a symbol \[pixels\].
+const SIDE: f64 = 9.0;
+/// Length of the reference line \[pixels\].
+const LINE: f64 = 50.0;
+
+/// A weld on both sides of a part at `joint`, from a reference line that begins at `elbow` and runs
+/// to the right: fillets of a throat \[mm\], or full penetration where it is 0.
+pub(super) fn weld_symbol(d: &mut Drawing, joint: [f64; 2], elbow: [f64; 2], throat: f64) {
+    let [x, y] = elbow;
+    d.leader(elbow, joint);
+    d.line(Pen::Thin, elbow, [x + LINE, y]);
+    let at = x + 0.68 * LINE;
+    if throat > 0.0 {
+        // a right-angled triangle on each side of the line, its size before it
+        for side in [-1.0, 1.0] {
+            let triangle = [[at, y], [at, y + side * SIDE], [at + SIDE, y]];
+            d.polygon(Pen::Thin, "none", &triangle);
+        }
+        d.text([at - 4.0, y - 8.0], Anchor::End, &format!("a{}", n(throat)));
+    } else {
+        // a double bevel: an upright stroke and one at 45° on each side
+        d.line(Pen::Thin, [at, y - SIDE], [at, y + SIDE]);
+        for side in [-1.0, 1.0] {
+            d.line(Pen::Thin, [at, y], [at + SIDE, y + side * SIDE]);
+        }
+    }
+}

@@ -1,0 +1,158 @@
+//! Verdicts and capacities of the load cases with a demand, and the actions on the joint.
+
+use crate::figures::{Rounding, bracket, significant, utilisation};
+use crate::markdown::markup::{strings, table};
+use crate::markdown::report_data::{GivenActions, Table};
+use crate::result::demand::{Demand, EndAction};
+use crate::result::result_file::CaseResult;
+use crate::result::result_file::ResultFile;
+use bracket_codes::check::{Unit, number};
+use bracket_joint::assembly::PlaneActions;
+
+/// Verdicts and capacities, one row per case and one row per action; empty without a demand.
+pub(crate) fn demands(page: &mut String, result: &ResultFile, given: &[GivenActions]) {
+    let judged: Vec<(&CaseResult, &Demand)> =
+        result.cases.iter().filter_map(|c| Some((c, c.demand.as_ref()?))).collect();
+    if judged.len() > 1 {
+        let rows = judged.iter().map(|(c, d)| {
+            let between = c.utilisation.map_or("–".into(), |[l, u]| {
+                format!("{} … {}", utilisation(l, Rounding::Down), utilisation(u, Rounding::Up))
+            });
+            vec![c.name.clone(), d.verdict.words().into(), between]
+        });
+        table(
+            page,
+            &Table {
+                columns: strings(["load case", "verdict", "utilisation"]),
+                rows: rows.collect(),
+            },
+        );
+    }
+    let of_ends = actions(result, given);
+    if !of_ends.rows.is_empty() {
+        table(page, &of_ends);
+    }
+}
+
+/// The actions at member ends, with what the joint carries of them; of cases without an analysis
+/// those that are `given`.
+pub(crate) fn actions(result: &ResultFile, given: &[GivenActions]) -> Table {
+    let mut rows = Vec::new();
+    let judged: Vec<&CaseResult> = result.cases.iter().filter(|c| c.demand.is_some()).collect();
+    for case in &judged {
+        let bounds = case.factor_bounds();
+        let actions = case.demand.iter().flat_map(|d| &d.actions);
+        rows.extend(actions.map(|a| action_row(&case.name, a, bounds)));
+    }
+    for g in given.iter().filter(|g| judged.iter().all(|c| c.name != g.case)) {
+        rows.extend(g.actions.iter().map(|a| action_row(&g.case, a, (None, None))));
+    }
+    let columns =
+        ["load case", "member end", "action", "given", "carried at least", "carried at most"];
+    let mut columns = strings(columns);
+    // without a bound the last two columns say nothing
+    if rows.iter().all(|r| r[4..].iter().all(|c| c == "–")) {
+        columns.truncate(4);
+        rows.iter_mut().for_each(|r| r.truncate(4));
+    }
+    Table { columns, rows }
+}
+
+/// The actions at the bolt planes, with which the checks are made. The components that are zero in
+/// every case are left out; N, Vz and My stay.
+pub fn on_planes(actions: &[PlaneActions]) -> Table {
+    let names = ["N", "Vy", "Vz", "T", "My", "Mz"];
+    let of = |a: &PlaneActions| {
+        let [force, moment] = a.at(1.0);
+        [force[0], force[1], force[2], moment[0], moment[1], moment[2]]
+    };
+    let shown = |k: &usize| [0, 2, 4].contains(k) || actions.iter().any(|a| of(a)[*k] != 0.0);
+    let shown: Vec<usize> = (0..names.len()).filter(shown).collect();
+    let row = |a: &PlaneActions| {
+        let unit = |k: usize| if k < 3 { Unit::Force } else { Unit::Moment };
+        let values = shown.iter().map(|k| unit(*k).show(of(a)[*k]).replace('-', "−"));
+        let place = [a.case.clone(), a.end.clone(), format!("{} mm", number(a.from_node))];
+        place.into_iter().chain(values).collect()
+    };
+    let mut columns = strings(["load case", "member end", "d, from the node"]);
+    columns.extend(shown.iter().map(|k| names[*k].to_owned()));
+    Table { columns, rows: actions.iter().map(row).collect() }
+}
+
+/// What the table of [`on_planes`] is.
+pub(crate) const ON_PLANES: &str =
+    "Actions at the bolt plane, with which the checks are made: My = My,node + d Vz";
+
+fn action_row(
+    case: &str,
+    a: &EndAction,
+    (lower, upper): (Option<f64>, Option<f64>),
+) -> Vec<String> {
+    let (value, unit) = a.value.shown();
+    let sign = if value < 0.0 { "−" } else { "" };
+    let size = |factor: f64, rounding| {
+        format!("{sign}{} {unit}", significant(factor * value.abs(), 3, rounding))
+    };
+    let (low, high) = match (lower, upper) {
+        (Some(l), Some(u)) if a.factored && value != 0.0 => {
+            let (l, u) = bracket((l * value.abs()).next_down(), (u * value.abs()).next_up(), 3);
+            (format!("{sign}{l} {unit}"), format!("{sign}{u} {unit}"))
+        }
+        _ if !a.factored => ("fixed".into(), "fixed".into()),
+        // words state whether a single bound is a lower or an upper one
+        (Some(l), None) if value != 0.0 => {
+            (format!("at least {}", size(l.next_down(), Rounding::Down)), "–".into())
+        }
+        (None, Some(u)) if value != 0.0 => {
+            ("–".into(), format!("at most {}", size(u.next_up(), Rounding::Up)))
+        }
+        _ => ("–".into(), "–".into()),
+    };
+    let given = format!("{sign}{} {unit}", (1e9 * value.abs()).round() / 1e9);
+    vec![case.into(), format!("{} at {}", a.end, a.at), a.action.clone(), given, low, high]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::result::demand::ActionValue;
+    use crate::result::fixtures::limit_case;
+    use bracket_codes::HandChecks;
+    use bracket_codes::verdict::Verdict;
+
+    /// If one bound is missing, the other is reported, and words state its side.
+    #[test]
+    fn one_bound_alone_is_named_as_lower_or_upper() {
+        let action = |value| EndAction {
+            end: "beam_right".into(),
+            at: "node".into(),
+            action: "My".into(),
+            value: ActionValue::Moment(value),
+            factored: true,
+        };
+        let text = |lower: Option<f64>, upper: Option<f64>| {
+            let mut case = limit_case(lower, upper);
+            let actions = vec![action(40e6), action(-10e6)];
+            case.demand = Some(Demand::new(&case, actions, &HandChecks::default()));
+            let mut result = ResultFile::new("", 1, Verdict::Undecided);
+            result.cases.push(case);
+            let mut page = String::new();
+            demands(&mut page, &result, &[]);
+            page
+        };
+        let page = text(None, Some(1.2));
+        assert!(
+            page.contains("| – | at most 48.1 kN m |")
+                && page.contains("| – | at most −12.1 kN m |"),
+            "{page}"
+        );
+        let page = text(Some(0.8), None);
+        assert!(
+            page.contains("| at least 31.9 kN m | – |")
+                && page.contains("| at least −7.99 kN m | – |"),
+            "{page}"
+        );
+        let page = text(None, None);
+        assert!(page.contains("| given |") && page.lines().all(|l| l.matches('|').count() <= 5));
+    }
+}

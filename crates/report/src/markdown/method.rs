@@ -1,0 +1,162 @@
+//! The component method with the numbers of its T-stubs, rows and limits, from which a reader can
+//! compute M_j,Rd again.
+
+use crate::figures::{Rounding, fixed};
+use crate::markdown::hand_checks::value_of;
+use crate::markdown::markup::{bold, dash, heading, inline, paragraph, strings, table};
+use crate::markdown::report_data::Table;
+use bracket_codes::end_plate::{LimitRecord, MethodRecord, RowRecord, StubRecord, WebRecord};
+
+/// The section of `report.md`: every sense of bending.
+pub(crate) fn section(page: &mut String, records: &[MethodRecord]) {
+    if !records.is_empty() {
+        heading(page, TITLE);
+        senses(page, records.iter());
+    }
+}
+
+/// Title of the section.
+pub(crate) const TITLE: &str = "Component method with its numbers";
+
+/// How the columns of the T-stubs follow from each other.
+const KEY: &str = "Lengths in mm, forces in kN. ℓ_eff,1 = min(ℓ_eff,cp, ℓ_eff,nc), ℓ_eff,2 = \
+                   ℓ_eff,nc, M_pl = 0.25 ℓ_eff t² f_y/γ_M0; mode 1: 4 M_pl,1/m; mode 2: (2 M_pl,2 \
+                   + n ΣF_t,Rd)/(m + n); mode 3: ΣF_t,Rd; mode 1-2, without prying: 2 M_pl,1/m; \
+                   web behind it: ω ℓ_eff,1 t_w f_y/γ_M0. Of a row outside the beam, m is m_x and \
+                   e is e_x.";
+
+/// The records of some senses of bending.
+pub(crate) fn senses<'a>(page: &mut String, records: impl Iterator<Item = &'a MethodRecord>) {
+    for (i, record) in records.enumerate() {
+        paragraph(page, &inline(&given(record)));
+        table(page, &stubs(&record.stubs));
+        if i == 0 {
+            paragraph(page, &inline(KEY));
+        }
+        table(page, &rows(&record.rows));
+        for limit in &record.limits {
+            page.push_str(&format!("- {}\n", inline(&limit_words(limit))));
+        }
+        page.push_str(&format!("- {}\n", inline(&record.formula)));
+        let values: Vec<String> = record.stiffness.iter().map(value_of).collect();
+        let stiffness = format!("{}; {}", record.initial_stiffness, values.join(", "));
+        page.push_str(&format!("- {}\n\n", inline(&stiffness)));
+    }
+}
+
+/// Sense of bending with the values that all its T-stubs share.
+fn given(r: &MethodRecord) -> String {
+    let mut parts = vec![
+        format!("F_t,Rd = {} kN", force(r.bolt)),
+        format!("γ_M0 = {}", trimmed(r.gamma_m0, 3)),
+    ];
+    if r.beta > 0.0 {
+        parts.push(format!("β = {}", trimmed(r.beta, 4)));
+    }
+    let mut steel = |name: &str, thickness: f64, fy: f64| {
+        let text = format!("{name}: t = {} mm, f_y = {} MPa", length(thickness), trimmed(fy, 1));
+        if !parts.contains(&text) {
+            parts.push(text);
+        }
+    };
+    for stub in &r.stubs {
+        steel(&stub.part, stub.thickness, stub.fy);
+        stub.web.iter().for_each(|w| steel(&w.part, w.thickness, w.fy));
+    }
+    format!("{}: {}.", bold(&r.subject), parts.join("; "))
+}
+
+fn stubs(stubs: &[StubRecord]) -> Table {
+    let row = |s: &StubRecord| {
+        let [first, last] = s.rows;
+        let rows = if first == last { first.to_string() } else { format!("{first}–{last}") };
+        let list = |all: &[f64], places| {
+            let all: Vec<String> = all.iter().map(|x| trimmed(*x, places)).collect();
+            if all.is_empty() { dash() } else { all.join("/") }
+        };
+        let mode = |name: &str| s.modes.iter().find(|m| m.0 == name).map(|m| force(m.1));
+        let one = mode("mode 1").or(mode("mode 1-2"));
+        let governs = s.mode.strip_prefix("mode ").unwrap_or(&s.mode);
+        let web = |of: fn(&WebRecord) -> String| s.web.as_ref().map_or_else(dash, of);
+        vec![
+            rows,
+            s.part.clone(),
+            length(s.m),
+            length(s.e),
+            length(s.n),
+            list(&s.m2, 2),
+            list(&s.alpha, 3),
+            length(s.circular),
+            length(s.straight),
+            one.unwrap_or_else(dash),
+            mode("mode 2").unwrap_or_else(dash),
+            mode("mode 3").unwrap_or_else(dash),
+            governs.into(),
+            web(|w| trimmed(w.omega, 4)),
+            web(|w| force(w.resistance)),
+        ]
+    };
+    let columns = strings([
+        "row",
+        "part",
+        "m",
+        "e",
+        "n",
+        "m2",
+        "α",
+        "ℓ_eff,cp",
+        "ℓ_eff,nc",
+        "mode 1",
+        "mode 2",
+        "mode 3",
+        "mode",
+        "ω",
+        "web",
+    ]);
+    Table { columns, rows: stubs.iter().map(row).collect() }
+}
+
+fn rows(rows: &[RowRecord]) -> Table {
+    let mut columns =
+        strings(["row", "z", "h_r", "alone", "after groups", "F_tr,Rd", "limited by"]);
+    let symbols = rows.first().map_or(&[][..], |r| &r.stiffness);
+    columns.extend(symbols.iter().map(|s| s.symbol.clone()));
+    let row = |r: &RowRecord| {
+        let mut cells = vec![
+            r.row.to_string(),
+            length(r.z).replace('-', "−"),
+            length(r.lever),
+            force(r.alone),
+            force(r.grouped),
+            force(r.force),
+            r.limited_by.clone(),
+        ];
+        cells.extend(r.stiffness.iter().map(|k| trimmed(k.value, 3)));
+        cells
+    };
+    Table { columns, rows: rows.iter().map(row).collect() }
+}
+
+fn limit_words(l: &LimitRecord) -> String {
+    let values: Vec<String> = l.values.iter().map(value_of).collect();
+    let values = if values.is_empty() { String::new() } else { format!("; {}", values.join(", ")) };
+    format!("{}: {}{values} ({})", l.part, l.formula, l.clause)
+}
+
+/// A length with two decimals \[mm\].
+fn length(x: f64) -> String {
+    trimmed(x, 2)
+}
+
+/// A force in kN with two decimals.
+fn force(x: f64) -> String {
+    fixed(1e-3 * x, 2, Rounding::Nearest)
+}
+
+fn trimmed(x: f64, places: i32) -> String {
+    let text = fixed(x, places, Rounding::Nearest);
+    match text.contains('.') {
+        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => text,
+    }
+}

@@ -1,0 +1,184 @@
+//! The data of the printed report. They are plain strings and tables, so that the sections do not
+//! depend on the engine.
+
+use crate::result::demand::EndAction;
+use crate::result::result_file::{RESULT_FILE, ResultFile};
+use crate::words::Words;
+use bracket_base::diag::{Diagnostic, Diagnostics};
+use bracket_codes::verdict::Verdict;
+use bracket_joint::spec::connection::Language;
+use serde::{Deserialize, Serialize};
+use std::path::Path;
+
+/// All data of the report. The numbers of the analyses come from `result`, the same as in
+/// `result.json`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ReportData {
+    /// Lines of the title block in order, as name (`title`, `number`, `author`, …) and value. The
+    /// first line is the heading.
+    pub project: Vec<(String, String)>,
+    /// Language of the reports.
+    #[serde(default)]
+    pub language: Language,
+    /// The result; `report.json` does not repeat it.
+    #[serde(skip, default = "nothing")]
+    pub result: ResultFile,
+    /// Name of the input file as the user gave it.
+    pub input_name: String,
+    /// Text of the input file, as given.
+    pub input_text: String,
+    /// The input as read, as YAML: without comments, with the defaults of its fixed part.
+    pub input_read: String,
+    /// Values that the program looked up, computed or assumed.
+    pub resolved: Vec<ResolvedValue>,
+    /// Actions at member ends, of each load case that is a demand.
+    pub demands: Vec<GivenActions>,
+    /// The actions at the bolt planes; empty where they are given there.
+    #[serde(default)]
+    pub plane_actions: Table,
+    /// Rows taken from catalogues.
+    pub catalogue_rows: Vec<CatalogueRow>,
+    /// Drawings of the joint and of its actions.
+    pub drawings: Vec<PictureRef>,
+    /// Bolts, plates and their masses; empty if they are not known.
+    pub schedule: Table,
+    /// Welds; empty if they are not known.
+    #[serde(default)]
+    pub welds: Table,
+    /// Supports of the model; empty if there are none.
+    #[serde(default)]
+    pub supports: Table,
+    /// Pictures of the result folder.
+    pub pictures: Vec<PictureRef>,
+    /// Quality of the last mesh, usually one row for each body.
+    pub mesh_quality: Table,
+    /// Features of the model, for the sentences about limits.
+    pub model: ModelTraits,
+    /// Further assumptions, a sentence each.
+    pub assumptions: Vec<String>,
+    /// Decisions and remarks of the reader, a sentence each.
+    pub notes: Vec<String>,
+}
+
+/// File of the report's data beside `result.json`.
+pub const REPORT_DATA_FILE: &str = "report.json";
+
+/// In place of the result until it is joined.
+fn nothing() -> ResultFile {
+    ResultFile::new("", 1, Verdict::None)
+}
+
+impl ReportData {
+    /// The text of `report.json`.
+    pub fn to_json(&self) -> Result<String, Diagnostics> {
+        serde_json::to_string_pretty(self).map(|t| t + "\n").map_err(|e| {
+            Diagnostic::environment("report/data", format!("the report's data: {e}")).into()
+        })
+    }
+
+    /// The words of the reports. Names of load cases, bodies and members stay as given.
+    pub fn words(&self) -> Words {
+        let given = self.demands.iter().flat_map(|d| {
+            d.actions.iter().flat_map(|a| [a.end.clone(), a.at.clone()]).chain([d.case.clone()])
+        });
+        let cases = self.result.cases.iter().flat_map(|c| {
+            let parts = c.dissipation.iter().map(|p| p.part.clone());
+            parts.chain(c.limiting_part.clone()).chain([c.name.clone()])
+        });
+        let checked = self.result.checks.iter().filter_map(|c| c.case.clone());
+        let named = self.resolved.iter().map(|v| v.name.clone());
+        Words::new(self.language, given.chain(cases).chain(checked).chain(named))
+    }
+
+    /// The data of a finished result folder.
+    pub fn read(folder: &Path) -> Result<Self, Diagnostics> {
+        let missing = |file: &str, e: String| {
+            let message = format!("`{file}` of the result cannot be read: {e}");
+            let help = "name the folder of a result that `bracket run` or `bracket check` wrote";
+            Box::new(Diagnostic::input("report/data", message).file(folder.join(file)).help(help))
+        };
+        let read = |file: &str| {
+            bracket_base::text_file::utf8_of(&folder.join(file))
+                .map_err(|e| missing(file, e.to_string()))
+        };
+        let result = ResultFile::from_json(&read(RESULT_FILE)?).map_err(Diagnostic::from)?;
+        let text = read(REPORT_DATA_FILE)?;
+        let data: Self =
+            serde_json::from_str(&text).map_err(|e| missing(REPORT_DATA_FILE, e.to_string()))?;
+        Ok(Self { result, ..data })
+    }
+}
+
+/// A value that the program resolved.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct ResolvedValue {
+    /// Its name: `bolts.rows[1]`.
+    pub name: String,
+    /// Its value with meaningful digits.
+    pub value: String,
+    /// Its unit; empty for a plain number or word.
+    pub unit: String,
+    /// Its origin: `given`, `default`, `catalogue`, `computed`.
+    pub origin: String,
+}
+
+/// The actions of a load case at member ends.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct GivenActions {
+    /// Name of the load case.
+    pub case: String,
+    /// Its actions.
+    pub actions: Vec<EndAction>,
+}
+
+/// A row taken from a catalogue.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct CatalogueRow {
+    /// Kind: `profile`, `bolt`, `steel`.
+    pub kind: String,
+    /// Name of the row.
+    pub name: String,
+    /// Standard and edition of the numbers.
+    pub source: String,
+    /// True if the row is from a table of the user.
+    pub own: bool,
+    /// Column with unit (`h [mm]`) and value.
+    pub values: Vec<(String, String)>,
+}
+
+/// A picture of the result folder.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct PictureRef {
+    /// File name, relative to the folder.
+    pub file: String,
+    /// Caption.
+    pub caption: String,
+}
+
+/// A table: titles with units, rows of text.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Table {
+    /// Titles, units in brackets.
+    pub columns: Vec<String>,
+    /// Rows, as long as `columns`.
+    pub rows: Vec<Vec<String>>,
+}
+
+/// Features of the model that the report must mention.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct ModelTraits {
+    /// There is contact.
+    pub contact: bool,
+    /// Some contact has friction.
+    pub friction: bool,
+    /// Some contact with friction follows Coulomb's law (otherwise all of it is associated).
+    pub coulomb: bool,
+    /// Some contact has an initial gap.
+    pub initial_gap: bool,
+    /// Some bolt is preloaded.
+    pub preload: bool,
+    /// Curved surfaces (holes, shanks, fillets) are meshed as facets.
+    pub facets: bool,
+    /// Members are cut, or planes of symmetry are used.
+    pub symmetry: bool,
+}

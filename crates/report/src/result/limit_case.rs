@@ -1,0 +1,285 @@
+//! Converts a pass of limit analysis to the entry of its load case in `result.json`.
+
+use crate::result::bounds::{CaseBounds, FactorLimit};
+use crate::result::case_result::CaseResult;
+use crate::result::case_result::PartShare;
+use crate::result::case_result::PeakPressure;
+use crate::result::case_result::{SupportSlip, TieSlip};
+use crate::result::certificate::Certificate;
+use crate::result::energy_case::estimate_warning;
+use crate::result::energy_case::only_load;
+use crate::result::energy_case::problem;
+use crate::result::energy_case::program_run;
+use crate::result::energy_case::run_warning;
+use crate::result::energy_case::weld_uses;
+use crate::result::history::HistoryRow;
+use crate::result::quantity::{FrictionModel, Quantity, RawBracket, Upper};
+use bracket_engine::analysis::limit::{LimitPass, NO_LIMIT, SUBDIVISIONS};
+use bracket_engine::analysis::memory::peak_memory_mib;
+use bracket_engine::analysis::program::Program;
+use bracket_engine::analysis::program_outcome::ProgramOutcome;
+use bracket_engine::certify::limit_certificate::{dissipation_densities, utilisation};
+use bracket_engine::certify::velocity_field::VelocityField;
+
+use bracket_base::math::Sum;
+use bracket_engine::certify::{FactorBracket, LowerFactor, UpperFactor, slip, ties, welds};
+use bracket_engine::elements::space::Tet10Space;
+use bracket_engine::model::AnalysisModel;
+use bracket_engine::model::analysis::{Support, Tie};
+use bracket_engine::solve::SolveStatus;
+
+/// The lower bound, the bracket and the static program of the problem that the user posed. Under
+/// Coulomb's law these are the ones without friction.
+fn answer(
+    pass: &LimitPass,
+    problem: FrictionModel,
+) -> (Option<&LowerFactor>, Option<&FactorBracket>, Option<&ProgramOutcome>) {
+    match problem {
+        FrictionModel::Coulomb => {
+            (pass.frictionless.as_ref(), pass.coulomb.as_ref(), pass.frictionless_run.as_ref())
+        }
+        _ => (pass.lower.as_ref(), pass.bracket.as_ref(), pass.statics.as_ref()),
+    }
+}
+
+/// The residuals of both fields; if both fields have a residual, the larger one.
+fn certificate(pass: &LimitPass, bounds: &CaseBounds) -> Option<Certificate> {
+    if let Some(u) = &pass.unlimited {
+        let c = &u.certificate;
+        return Some(Certificate {
+            strict: c.is_strict(),
+            equilibrium: Some(c.equilibrium),
+            traction_jump: Some(c.traction_jump),
+            yield_: Some(c.deviator),
+            contact: c.contact,
+            ..Certificate::default()
+        });
+    }
+    let of_upper = bounds.upper_certificate();
+    match (bounds.lower_certificate(), of_upper) {
+        (Some(l), Some(u)) => Some(u.with(&l)),
+        (l, u) => l.or(u),
+    }
+}
+
+/// True if the static program finds that the load can grow without limit: a stress field in
+/// equilibrium exists for every multiple of it.
+fn unbounded(run: Option<&ProgramOutcome>) -> bool {
+    run.is_some_and(|r| r.status == SolveStatus::Infeasible)
+}
+
+/// Warnings of the programs: reasons why one of them gave no bound.
+fn program_warnings(pass: &LimitPass, problem: FrictionModel) -> Vec<String> {
+    let mut runs: Vec<(&str, &str, &ProgramOutcome)> = pass
+        .runs()
+        .map(|(p, run)| (p.name(), if p == Program::Static { "lower" } else { "upper" }, run))
+        .collect();
+    runs.extend(pass.frictionless_run.as_ref().map(|r| ("frictionless static", "lower", r)));
+    let mut warnings: Vec<String> = Vec::new();
+    let mut warn = |text: String| {
+        if !warnings.contains(&text) {
+            warnings.push(text);
+        }
+    };
+    for (name, bound, run) in runs {
+        match run.status {
+            _ if run.trouble.is_some() => warn(run_warning(name, bound, run).unwrap_or_default()),
+            SolveStatus::Optimal => {}
+            SolveStatus::Infeasible if name == "frictionless static" => {
+                warn(format!(
+                    "without friction {NO_LIMIT} (the solver says so, no certificate proves it)"
+                ));
+            }
+            SolveStatus::Infeasible => warn(format!(
+                "{NO_LIMIT} (the solver says so on this mesh, no certificate proves it); a load \
+                 that only presses the parts together or changes their volume does this"
+            )),
+            SolveStatus::Unbounded => {
+                let parts = run.mechanism.as_ref().map_or(String::new(), |m| format!(": {m}"));
+                let without = if name == "frictionless static" { "without friction " } else { "" };
+                warn(format!(
+                    "{without}the dead loads alone make it collapse{parts}; the load factor has \
+                     no lower bound"
+                ));
+            }
+            status => warn(run_warning(name, bound, run).unwrap_or_else(|| {
+                format!(
+                    "the {name} program ended with status `{}`: no {bound} bound",
+                    status.words()
+                )
+            })),
+        }
+    }
+    if let Some(parts) = &pass.moves {
+        warn(format!("the live loads move the structure freely: {parts}"));
+    }
+    if let Some(parts) = &pass.slides {
+        warn(format!(
+            "friction alone holds the structure, without it the load factor is 0: {parts}"
+        ));
+    }
+    let alone = pass.frictionless.is_none() && pass.lower.is_some();
+    if problem == FrictionModel::Coulomb && alone && pass.slides.is_none() {
+        warn(
+            "under Coulomb's law only the bound without friction is safe, and there is none".into(),
+        );
+    }
+    warnings
+}
+
+/// Reason why there is no estimate under Coulomb's law although the model requests one.
+fn estimate_missing(model: &AnalysisModel, pass: &LimitPass) -> Option<String> {
+    let why = match &pass.coulomb_estimate {
+        Some(e) => e.trouble.clone()?,
+        None if !model.coulomb_estimate || pass.unlimited.is_some() || pass.free.is_some() => {
+            return None;
+        }
+        None => "the program with associated friction has no answer to begin with".into(),
+    };
+    Some(format!("no estimate of the load factor under Coulomb's law by the fixed point: {why}"))
+}
+
+/// Shares in the dissipation of a mechanism.
+#[derive(Default)]
+struct Shares {
+    bodies: Vec<PartShare>,
+    welds: Vec<f64>,
+    /// Supports along which it slips.
+    supports: Vec<SupportSlip>,
+    /// Ties along which it slips.
+    ties: Vec<TieSlip>,
+}
+
+fn shares(model: &AnalysisModel, velocity: &VelocityField) -> Shares {
+    let mesh = &model.mesh;
+    let mut bodies = vec![Sum::default(); mesh.bodies.len()];
+    for (e, density) in dissipation_densities(model, velocity, SUBDIVISIONS).into_iter().enumerate()
+    {
+        bodies[mesh.tet_body[e] as usize].add(density * mesh.volume(e));
+    }
+    let welds = welds::dissipations(model, &velocity.nodes.u);
+    let space = Tet10Space::new(mesh);
+    let supports = slip::dissipations(model, &space, &velocity.nodes.u);
+    let ties = ties::dissipations(model, &space, &velocity.nodes.u);
+    let interfaces = welds.iter().chain(&supports).chain(&ties).copied();
+    let total = Sum::of(bodies.iter().map(|d| d.value()).chain(interfaces));
+    let share = |d: f64| if total > 0.0 { d / total } else { 0.0 };
+    let bodies = mesh.bodies.iter().zip(&bodies);
+    let bodies = bodies.map(|(name, d)| PartShare { part: name.clone(), share: share(d.value()) });
+    let supports = model.supports.iter().zip(supports).filter(|(_, d)| *d > 0.0);
+    let slip = |(s, d): (&Support, f64)| SupportSlip { support: s.name.clone(), share: share(d) };
+    let ties = model.ties.iter().zip(ties).filter(|(_, d)| *d > 0.0);
+    let tie = |(t, d): (&Tie, f64)| TieSlip { tie: t.name.clone(), share: share(d) };
+    Shares {
+        bodies: bodies.collect(),
+        welds: welds.into_iter().map(share).collect(),
+        supports: supports.map(slip).collect(),
+        ties: ties.map(tie).collect(),
+    }
+}
+
+/// The bounds of the load factor from a pass, for the problem that the user posed.
+pub fn factor_bounds(pass: &LimitPass, problem: FrictionModel) -> CaseBounds {
+    let (lower, _, _) = answer(pass, problem);
+    let mechanism = pass.upper.clone().map(FactorLimit::Mechanism);
+    let free = pass.free.as_ref().map(|f| UpperFactor::new(f.certificate.clone()));
+    let limit = mechanism.or(free.map(FactorLimit::FreeMechanism));
+    // if both programs find no limit, the word `unbounded` is based on the static one
+    let no_limit = pass.unlimited.is_some() || unbounded(pass.statics.as_ref());
+    let upper = limit.or(no_limit.then_some(FactorLimit::Unbounded));
+    CaseBounds::Factor { lower: lower.cloned(), upper }
+}
+
+/// The entry of a load case after one pass of limit analysis.
+pub fn limit_case_result(
+    name: &str,
+    model: &AnalysisModel,
+    pass: &LimitPass,
+    mesh_seconds: Option<f64>,
+) -> CaseResult {
+    let problem = problem(model);
+    let (low, bracket, static_run) = answer(pass, problem);
+    let bounds = factor_bounds(pass, problem);
+    let (lower, upper) = (bounds.lower(), bounds.upper());
+    let gap = bracket.map(FactorBracket::gap).filter(|g| g.is_finite());
+    let mut certificate = certificate(pass, &bounds);
+    let mut warnings = program_warnings(pass, problem);
+    warnings.extend(estimate_warning(certificate));
+    warnings.extend(estimate_missing(model, pass));
+    // no residual proves the solver's status `infeasible`, and a result is either strict as a whole
+    // or not strict
+    if let (Some(c), Some(Upper::Unbounded(_)), None) = (&mut certificate, upper, &pass.unlimited) {
+        c.strict = false;
+    }
+    // the entry has no separate certificate for a raw value beside the answer, so a raw value is
+    // reported only if it is a bound
+    let strict =
+        |b: &Option<LowerFactor>| b.as_ref().filter(|b| b.is_strict()).map(LowerFactor::value);
+    let frictionless =
+        strict(&pass.frictionless).map(|low| RawBracket { lower: Some(low), upper: None });
+    let associated = (problem == FrictionModel::Coulomb
+        && (pass.lower.is_some() || upper.is_some()))
+    .then(|| RawBracket { lower: strict(&pass.lower), upper });
+    let stress =
+        if problem == FrictionModel::Coulomb { &pass.frictionless_stress } else { &pass.stress };
+    let body = |tet: usize| model.mesh.bodies[model.mesh.tet_body[tet] as usize].clone();
+    let used = stress.as_ref().map_or(Vec::new(), |s| welds::demands(model, s));
+    let nearest = stress.as_ref().map(|s| utilisation(model, s));
+    let limiting_part = nearest
+        .filter(|(most, _)| used.iter().all(|w| w.largest <= *most))
+        .and_then(|n| n.1)
+        .map(body);
+    let shares = pass.velocity.as_ref().map_or_else(Shares::default, |v| shares(model, v));
+    let peak = low.and_then(|b| b.certificate().peak_pressure);
+    CaseResult {
+        name: name.into(),
+        analysis: model.analysis,
+        quantity: Quantity::LoadFactor,
+        problem,
+        lower,
+        upper,
+        gap,
+        utilisation: None,
+        demand: None,
+        frictionless,
+        associated,
+        coulomb_estimate: pass.coulomb_estimate.as_ref().and_then(|e| e.factor),
+        preload: Vec::new(),
+        fixed_point: pass
+            .coulomb_estimate
+            .as_ref()
+            .filter(|e| e.factor.is_some())
+            .map(|e| e.run.clone()),
+        load: only_load(model).filter(|l| l.value() > 0.0),
+        load_displacement: None,
+        load_displacement_at_least: None,
+        static_forces: None,
+        joint_stiffness: None,
+        certificate,
+        history: vec![HistoryRow {
+            macro_tets: model.mesh.tets.len(),
+            kinematic_dofs: pass.kinematic.as_ref().map(|r| r.dofs),
+            static_dofs: pass.statics.as_ref().or(static_run).map(|r| r.dofs),
+            lower,
+            upper,
+            gap,
+            kinematic: pass.kinematic.as_ref().map(program_run),
+            static_: pass.statics.as_ref().map(program_run),
+            static_frictionless: pass.frictionless_run.as_ref().map(program_run),
+            seconds: None,
+            so_far: None,
+            predicted: None,
+            mesh_seconds,
+            peak_memory_mib: peak_memory_mib(),
+        }],
+        dissipation: shares.bodies,
+        yielding: Vec::new(),
+        face_motions: Vec::new(),
+        limiting_part,
+        welds: weld_uses(model, used, shares.welds, Vec::new()),
+        support_slip: shares.supports,
+        tie_slip: shares.ties,
+        peak_contact_pressure: peak.map(|p| PeakPressure { kinematic: None, static_: Some(p) }),
+        warnings,
+    }
+}
