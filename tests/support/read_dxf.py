@@ -1,4 +1,4 @@
-"""Prints the entities that ezdxf finds in a DXF file, sorted, and the errors of its audit, for tests/cli/plate_dxf.rs."""
+"""Prints the entities that ezdxf finds in a DXF file, sorted, and the errors of its audit, for tests/commands/check/plate_dxf.rs."""
 
 import sys
 

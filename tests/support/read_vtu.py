@@ -1,4 +1,4 @@
-"""Prints what meshio finds in a .vtu file, doubles as hexadecimal bits, for tests/report/vtu.rs."""
+"""Prints what meshio finds in a .vtu file, doubles as hexadecimal bits, for tests/joints/files/vtu.rs."""
 
 import json
 import struct

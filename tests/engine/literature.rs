@@ -1,0 +1,22 @@
+//! Cases with known answers, named after their source.
+mod acary_lap_joint;
+mod bursi_jaspart_t_stub;
+mod coulomb_block_on_ground;
+mod eurocode_t_stubs;
+mod gaydon_mccrum_strip_with_hole;
+mod hertz_sphere_on_flat;
+mod hill_block_between_platens;
+mod hill_hollow_sphere;
+mod hill_partly_plastic_sphere;
+mod kirchhoff_thin_plates;
+mod kirsch_plate_with_hole;
+mod lame_cylinder_and_sphere;
+mod paper_reference_meshes;
+mod prandtl_punch;
+mod saint_venant_triangle;
+mod salencon_rough_platens;
+mod signorini_hard_contacts;
+mod slivers_in_contact;
+mod timoshenko_exact_bars;
+mod vdi2230_bolt_in_sleeve;
+mod welds_between_blocks;

@@ -1,0 +1,21 @@
+//! Joints from their specs: invariance of the bounds, verdicts of a bolted joint, T-stubs from
+//! their template.
+#![allow(clippy::unwrap_used)]
+
+#[path = "../common/bench.rs"]
+mod bench;
+mod bolt_forces;
+mod built;
+mod component_method;
+mod files;
+mod invariance;
+#[path = "../common/numbers.rs"]
+mod numbers;
+mod preload;
+mod public_cases;
+mod stiffness;
+mod suggested_values;
+mod t_stubs_by_template;
+mod verdict_by_code;
+mod verdicts;
+mod welds;
