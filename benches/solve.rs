@@ -124,8 +124,11 @@ fn run(model: &AnalysisModel, path: &str, name: &str, options: &Options) {
 fn measure(name: &str, program: &ConicProgram, block: &[u32], options: &Options) {
     let mut settings = SolveOptions { solver: options.solver, ..SolveOptions::default() };
     if options.limit {
-        settings =
-            if name == "kinematic" { settings.for_mechanism() } else { settings.for_resistance() };
+        settings = if name == "kinematic" {
+            settings.with(settings.stop.for_mechanism())
+        } else {
+            settings.with(settings.stop.for_resistance())
+        };
     }
     if options.trace {
         settings.progress = Some(std::sync::Arc::new(|i: &solve::Iteration| {

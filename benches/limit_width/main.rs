@@ -48,7 +48,7 @@ use bracket::model::file::Bounds;
 use bracket::model::resolve::resolve;
 use bracket::model_file;
 use bracket::programs::Static;
-use bracket::solve::SolveOptions;
+use bracket::solve::{SolveOptions, StopRules};
 use common::grid::{Grid, even, joined, name};
 use common::solved;
 use std::collections::BTreeMap;
@@ -163,7 +163,7 @@ fn main() {
 fn weak(model: &AnalysisModel, width: f64) {
     let statics = Static::limit(model).expect("the model is sound");
     let program = &statics.program;
-    let options = SolveOptions::default().for_resistance();
+    let options = SolveOptions::default().with(StopRules::default().for_resistance());
     let solution = bracket::solve::solve(program, &statics.map.block, &options);
     let factor = solution.x.last().copied().unwrap_or(0.0);
     println!(

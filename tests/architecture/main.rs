@@ -87,8 +87,10 @@ const HOUSES: [House; 6] = [
 const LONGEST: usize = 450;
 
 /// Files that are longer, each with the reason.
-const ARGUED: [(&str, &str); 1] =
-    [("tests/commands/wrong_inputs/wrong_specs.rs", "a table: a row for each wrong spec and the message it gets")];
+const ARGUED: [(&str, &str); 1] = [(
+    "tests/commands/wrong_inputs/wrong_specs.rs",
+    "a table: a row for each wrong spec and the message it gets",
+)];
 
 /// Maximum length of a line in characters.
 const WIDEST: usize = 100;

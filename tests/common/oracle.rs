@@ -2,9 +2,7 @@
 
 use bracket::programs::conic::ConicProgram;
 use bracket::solve::status::Iterations;
-use bracket::solve::{
-    Iteration, Patterns, Solution, SolveOptions, SolveStatus, clarabel, condensed,
-};
+use bracket::solve::{Iteration, Patterns, Solution, SolveOptions, clarabel, condensed};
 use std::sync::{Arc, Mutex};
 
 /// Maximum number of iterations of an elastic or elastoplastic program, hard cases included.
@@ -20,11 +18,11 @@ pub fn agree(name: &str, program: &ConicProgram, block: &[u32]) -> Solution {
     let prepared = condensed::Prepared::new(program, block, &Patterns::default())
         .unwrap_or_else(|e| panic!("{name}: {e}"));
     let ours = prepared.solve(&options);
-    assert_eq!(ours.status, SolveStatus::Optimal, "{name}: {:#?}", trace.lock().unwrap());
+    assert!(ours.status.is_solution(), "{name}: {:#?}", trace.lock().unwrap());
     let options = SolveOptions::default();
     assert!(ours.iterations <= MOST_ITERATIONS, "{name}: {} iterations", ours.iterations);
     let theirs = clarabel::solve(program, &options);
-    assert_eq!(theirs.status, SolveStatus::Optimal, "{name}: Clarabel");
+    assert!(theirs.status.is_solution(), "{name}: Clarabel");
     let [a, b] = [&ours, &theirs].map(|s| program.objective(&s.x, &s.z) - program.c);
     println!(
         "{name}: {a:.9e} in {} iterations, Clarabel {b:.9e} in {}",

@@ -12,7 +12,6 @@ use bracket::certify::plastic_field::PlasticTet;
 use bracket::mesh::TetMesh;
 use bracket::model::AnalysisKind;
 use bracket::model::AnalysisModel;
-use bracket::solve::SolveStatus;
 
 /// A model from YAML without `mesh`, `analysis` and `materials`.
 pub fn plastic_model(yaml: &str, mesh: TetMesh) -> AnalysisModel {
@@ -30,7 +29,7 @@ pub fn strict(name: &str, model: &AnalysisModel) -> [f64; 2] {
 
 pub fn strict_pass(name: &str, model: &AnalysisModel, pass: &EnergyPass) -> [f64; 2] {
     for (program, r) in pass.runs() {
-        assert_eq!(r.status, SolveStatus::Optimal, "{name} {}: {:?}", program.name(), r.trouble);
+        assert!(r.status.is_solution(), "{name} {}: {:?}", program.name(), r.trouble);
         assert_eq!(r.trouble, None, "{name}");
         println!(
             "{name} {}: {} of {} tets, {} solves, {} iterations",

@@ -64,7 +64,7 @@ impl Solved {
         let p = &self.pass;
         let runs = [p.kinematic.as_ref().unwrap(), p.statics.as_ref().unwrap()];
         for r in runs {
-            assert_eq!(r.status, SolveStatus::Optimal, "{name}: {r:?}");
+            assert!(r.status.is_solution(), "{name}: {r:?}");
             assert_eq!(r.trouble, None, "{name}");
             let solves = p.fixed_point.as_ref().map_or(1, |f| f.solves as u32);
             assert!(r.iterations <= solves * oracle::MOST_ITERATIONS, "{name}: {r:?}");

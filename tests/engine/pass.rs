@@ -181,7 +181,7 @@ fn a_program_that_waits_checks_the_free_memory_again() {
 fn clarabel_takes_over_within_the_memory() {
     let handed = |room: u64| {
         let mut options = rooms(Limit::Asked(1 << 40), &[1 << 40, room]);
-        options.solve.max_iterations = 2;
+        options.solve.stop.max_iterations = 2;
         let (pass, words) = with_events(|p| elastic::run(&on_ground(), &options, p).expect("runs"));
         let said = |run: &str| words.iter().any(|w| w.starts_with(&format!("{run} hand over")));
         (both(&pass).map(|r| r.handed_over > 0), [said("kinematic"), said("static")])

@@ -150,6 +150,15 @@ impl std::error::Error for Diagnostic {}
 /// The faults that ended a run.
 pub type Diagnostics = AtLeastOne<Diagnostic>;
 
+impl fmt::Display for Diagnostics {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let messages: Vec<&str> = self.0.iter().map(|d| d.message.as_str()).collect();
+        f.write_str(&messages.join("; "))
+    }
+}
+
+impl std::error::Error for Diagnostics {}
+
 /// A list that is never empty: no constructor creates an empty one, and no method removes the last
 /// entry.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -5,6 +5,8 @@
 //! engine knows no joint, no design code and no spec. The modules are the steps of the work, in the
 //! order of the data flow (see `ARCHITECTURE.md`).
 //!
+//! `examples/clamped_block.rs` brackets the limit load of a block.
+//!
 //! Units everywhere: mm, N, MPa, N mm, rad. Symmetric tensors in Mandel form
 //! `[xx, yy, zz, √2 yz, √2 xz, √2 xy]`.
 

@@ -19,7 +19,6 @@ use bracket::analysis::pass::PassOptions;
 use bracket::mesh::{TetMesh, quality};
 use bracket::model::AnalysisModel;
 use bracket::result::limit_case::limit_case_result;
-use bracket::solve::SolveStatus;
 
 const P: f64 = 60.0;
 const SIZE: [f64; 3] = [10.0, 8.0, 12.0];
@@ -185,7 +184,7 @@ fn long_tets_are_named() {
         |m: &AnalysisModel| quality::tet_words(&m.mesh, quality::long_tets(&m.mesh, 30.0)[0]);
     let pass = run(&model);
     let kinematic = pass.kinematic.as_ref().unwrap();
-    assert_ne!(kinematic.status, SolveStatus::Optimal);
+    assert!(!kinematic.status.is_solution());
     let entry = limit_case_result("case", &model, &pass, None);
     println!("{:#?}", entry.warnings);
     let warning = entry.warnings.iter().find(|w| w.contains("kinematic program")).unwrap();

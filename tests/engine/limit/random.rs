@@ -6,7 +6,7 @@ use crate::common::{Block, solved};
 use bracket::elements::hencky_kinematic::Flow;
 use bracket::model::AnalysisModel;
 use bracket::programs::{Kinematic, Static};
-use bracket::solve::{Patterns, SolveOptions, SolveStatus, clarabel, condensed};
+use bracket::solve::{Patterns, SolveOptions, StopRules, clarabel, condensed};
 use std::collections::BTreeMap;
 
 struct Random(u64);
@@ -103,7 +103,7 @@ fn assemblies(seeds: std::ops::Range<u64>) {
             continue;
         }
         for (program, r) in pass.runs() {
-            if r.status != SolveStatus::Optimal || r.trouble.is_some() {
+            if !r.status.is_solution() || r.trouble.is_some() {
                 failed.push(format!(
                     "seed {seed} {}: {} after {}, {:?}",
                     program.name(),
@@ -126,8 +126,7 @@ fn assemblies(seeds: std::ops::Range<u64>) {
         if seed % 4 == 0 {
             let statics = Static::limit(&m).unwrap();
             let kinematic = Kinematic::limit(&m, Flow::Split).unwrap();
-            let options =
-                SolveOptions { max_iterations: 100, gap: 1e-8, ..SolveOptions::default() };
+            let options = SolveOptions::default().with(StopRules::to_gap(1e-8));
             for (name, program, block) in [
                 ("static", &statics.program, &statics.map.block),
                 ("kinematic", &kinematic.program, &kinematic.map.block),
@@ -137,7 +136,7 @@ fn assemblies(seeds: std::ops::Range<u64>) {
                     .solve(&options);
                 let theirs = clarabel::solve(program, &options);
                 let both = [ours.status, theirs.status];
-                if both != [SolveStatus::Optimal; 2] {
+                if !both.iter().all(|s| s.is_solution()) {
                     println!("seed {seed} {name}: {both:?}");
                     continue;
                 }

@@ -8,7 +8,7 @@ use bracket::certify::sampling::{sample_lower, sample_upper};
 use bracket::elements::hencky_kinematic::Flow;
 use bracket::model::AnalysisModel;
 use bracket::programs::{Kinematic, Static};
-use bracket::solve::{Patterns, SolveOptions, SolveStatus, clarabel, condensed};
+use bracket::solve::{Patterns, SolveOptions, StopRules, clarabel, condensed};
 use std::collections::BTreeMap;
 
 /// A random stack. `None` if the model is refused because a part is loose or nothing can yield.
@@ -118,8 +118,7 @@ fn stacks(seeds: std::ops::Range<u64>) {
         if seed % 4 == 0 {
             let statics = Static::limit(&m).unwrap();
             let kinematic = Kinematic::limit(&m, Flow::Split).unwrap();
-            let options =
-                SolveOptions { max_iterations: 100, gap: 1e-7, ..SolveOptions::default() };
+            let options = SolveOptions::default().with(StopRules::to_gap(1e-7));
             for (name, program, block) in [
                 ("static", &statics.program, &statics.map.block),
                 ("kinematic", &kinematic.program, &kinematic.map.block),
@@ -129,7 +128,7 @@ fn stacks(seeds: std::ops::Range<u64>) {
                     .solve(&options);
                 let theirs = clarabel::solve(program, &options);
                 let both = [ours.status, theirs.status];
-                if both != [SolveStatus::Optimal; 2] {
+                if !both.iter().all(|s| s.is_solution()) {
                     println!("seed {seed} {name}: {both:?}");
                     continue;
                 }

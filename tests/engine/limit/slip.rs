@@ -22,7 +22,7 @@ use bracket::mesh::tet::FACES;
 use bracket::model::AnalysisModel;
 use bracket::model::analysis::{RigidFace, Support, SurfaceLoad};
 use bracket::programs::Kinematic;
-use bracket::solve::SolveOptions;
+use bracket::solve::{SolveOptions, StopRules};
 
 /// Turns a point or vector by `angle` about y.
 fn about_y(angle: f64, x: V3) -> V3 {
@@ -202,7 +202,7 @@ fn random_assemblies_slip() {
         else {
             continue;
         };
-        let solve = SolveOptions { limit_gap: 1e-7, ..SolveOptions::default() };
+        let solve = SolveOptions::default().with(StopRules::to_limit_gap(1e-7));
         let options = PassOptions { solve, ..PassOptions::default() };
         let pass = |m: &AnalysisModel| limit::run(m, &options, &silent()).unwrap();
         let [slip, rest] = [pass(&m), pass(&at_rest(&m))];

@@ -20,7 +20,7 @@ use bracket::math::vec3::V3;
 use bracket::mesh::TetMesh;
 use bracket::model::AnalysisModel;
 use bracket::programs::Kinematic;
-use bracket::solve::SolveOptions;
+use bracket::solve::{SolveOptions, StopRules};
 
 /// A model of limit analysis from YAML without `mesh`, `analysis` and `materials`.
 fn model(yaml: &str, mesh: TetMesh) -> AnalysisModel {
@@ -112,7 +112,7 @@ fn random_stacks_slip() {
     let (mut compared, mut lower) = (0, 0);
     for seed in 0..40 {
         let Some(m) = assembly(seed).filter(|m| !m.ties.is_empty()) else { continue };
-        let solve = SolveOptions { limit_gap: 1e-7, ..SolveOptions::default() };
+        let solve = SolveOptions::default().with(StopRules::to_limit_gap(1e-7));
         let options = PassOptions { solve, ..PassOptions::default() };
         let [slip, glued] = [&m, &glued(&m)].map(|m| limit::run(m, &options, &silent()).unwrap());
         let (Some(s), Some(g)) = (&slip.upper, &glued.upper) else { continue };

@@ -17,7 +17,6 @@ use crate::common::{Block, beside, mapped, renamed};
 use bracket::certify::sampling::sample_lower;
 use bracket::mesh::TetMesh;
 use bracket::model::AnalysisModel;
-use bracket::solve::SolveStatus;
 
 /// Friction of contacts in the model file.
 const LAWS: [&str; 3] = ["mu: 0", "mu: 0.3, friction: associated", "mu: 0.3, friction: coulomb"];
@@ -190,7 +189,7 @@ fn no_equilibrium_names_the_part_and_its_motion() {
         assert!(pass.lower.is_none() && pass.bracket.is_none());
         let statics = pass.statics.as_ref().expect("asked for");
         println!("{law}: {:?} {:?} {:?}", statics.status, statics.mechanism, statics.trouble);
-        assert_ne!(statics.status, SolveStatus::Optimal);
+        assert!(!statics.status.is_solution());
         if let Some(reason) = statics.mechanism.as_ref().or(statics.trouble.as_ref()) {
             // with friction many motions open the contact, along and across it
             let motion = if law == LAWS[0] { "part LOW moves along +z" } else { "part LOW moves" };

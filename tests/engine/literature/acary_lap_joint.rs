@@ -26,7 +26,7 @@
 use crate::common::solved::{Solved, solve_to};
 use crate::common::{Block, beside, points, renamed, triangles_where};
 use bracket::mesh::{NamedFaces, TetMesh};
-use bracket::solve::SolveOptions;
+use bracket::solve::{SolveOptions, StopRules};
 
 const MU: f64 = 0.3;
 const N0: f64 = 100.0;
@@ -71,7 +71,7 @@ fn held_down(t: f64, kt: f64, friction: &str, preload: bool, seed: u64) -> Solve
     );
     let bolts = format!("preload:\n- {{body: BOLT, cut: CUT, axis: [0, 0, 2], force: {N0:?}}}\n");
     let yaml = if preload { yaml + &bolts } else { yaml };
-    solve_to(&yaml, mesh, &SolveOptions { gap: 1e-9, ..SolveOptions::default() })
+    solve_to(&yaml, mesh, &SolveOptions::default().with(StopRules::to_gap(1e-9)))
 }
 
 /// Displacement of the head along x: that of its first node.

@@ -23,7 +23,6 @@ use bracket::analysis::event::silent;
 use bracket::model::AnalysisModel;
 use bracket::programs::Kinematic;
 use bracket::solve;
-use bracket::solve::SolveStatus;
 use std::collections::BTreeSet;
 use std::path::Path;
 
@@ -83,7 +82,7 @@ fn like_the_reference(folder: &str, upper: f64, lost: usize) {
     }
     assert_eq!(full.program.cones.len() - program.cones.len(), lost);
     let solution = solve::solve(&program, &full.map.block, &Default::default());
-    assert_eq!(solution.status, SolveStatus::Optimal);
+    assert!(solution.status.is_solution());
     println!(
         "{} cones, {} lost: {}",
         program.cones.len(),

@@ -22,7 +22,7 @@
 use crate::common::solved::{Solved, solve_to};
 use crate::common::{Block, beside, renamed, triangles_where};
 use bracket::mesh::NamedFaces;
-use bracket::solve::SolveOptions;
+use bracket::solve::{SolveOptions, StopRules};
 
 const E: f64 = 200_000.0;
 const L: f64 = 10.0;
@@ -59,7 +59,7 @@ fn run_preloaded(force: f64, preload: Option<f64>, seed: u64) -> Solved {
         format!("preload:\n- {{body: BOLT, cut: CUT, axis: {axis}, force: {f:?}}}\n")
     });
     // an energy accurate to 1e-8 needs a smaller gap
-    solve_to(&(yaml + &bolts), mesh, &SolveOptions { gap: 1e-11, ..SolveOptions::default() })
+    solve_to(&(yaml + &bolts), mesh, &SolveOptions::default().with(StopRules::to_gap(1e-11)))
 }
 
 /// Mean σ_zz of a body times its area \[N\].

@@ -69,9 +69,9 @@ impl AnalysisPass {
     /// Relative gap at which a solve ends; `asked`: the options of the user.
     pub fn tolerance(model: &AnalysisModel, asked: &SolveOptions) -> f64 {
         match model.analysis {
-            AnalysisKind::Limit => asked.limit_gap,
-            AnalysisKind::Elastoplastic => asked.gap.max(hencky::GAP),
-            AnalysisKind::Elastic => asked.gap,
+            AnalysisKind::Limit => asked.stop.limit_gap,
+            AnalysisKind::Elastoplastic => asked.stop.for_yielding().gap,
+            AnalysisKind::Elastic => asked.stop.gap,
         }
     }
 

@@ -351,7 +351,7 @@ impl Context<'_> {
         let mut solution = back_from(origin, prepared.solve_first(&options));
         outcome.iterations = solution.iterations;
         let rows = if origin.is_empty() { Vec::new() } else { program.g.mul(origin) };
-        while solution.status == SolveStatus::Optimal
+        while solution.status.is_solution()
             && let Some(next) = problem.next_problem(self.model, &solution)
         {
             let event = Event::ConeShift { solves: next.solves, change: next.change };
@@ -382,8 +382,8 @@ impl Context<'_> {
         solution
     }
 
-    /// Field and bound of an optimal solution; the diagnosis of an unbounded or infeasible one.
-    /// Only optimal solutions give a bound.
+    /// Field and bound of a solution; the diagnosis of an unbounded or infeasible one.
+    /// Only solutions give a bound.
     fn recover<P: DiscreteProgram>(
         &self,
         problem: &P,
@@ -391,7 +391,7 @@ impl Context<'_> {
         outcome: &mut ProgramOutcome,
     ) -> Result<Option<P::Answer>, PassError> {
         match solution.status {
-            SolveStatus::Optimal => {
+            status if status.is_solution() => {
                 self.report(P::PROGRAM, Event::Certify);
                 match problem.recover(self.model, solution, &self.options.solve.patterns) {
                     Ok(answer) => return Ok(Some(answer)),
@@ -412,9 +412,9 @@ impl Context<'_> {
     }
 }
 
-/// An optimal solution in unknowns measured from zero, from one measured from `origin`.
+/// A solution in unknowns measured from zero, from one measured from `origin`.
 fn back_from(origin: &[f64], mut solution: Solution) -> Solution {
-    if solution.status == SolveStatus::Optimal {
+    if solution.status.is_solution() {
         solution.x.iter_mut().zip(origin).for_each(|(x, origin)| *x += origin);
     }
     solution

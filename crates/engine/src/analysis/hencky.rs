@@ -24,7 +24,6 @@ use crate::analysis::pass::{PassError, PassOptions};
 use crate::analysis::program::Program;
 use crate::model::AnalysisModel;
 use crate::model::file::Bounds;
-pub use programs::GAP;
 use programs::{HenckyKinematic, HenckyStatic, Motion};
 use std::time::Instant;
 use yield_set::{First, KinematicSide, Side, StaticSide};

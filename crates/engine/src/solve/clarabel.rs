@@ -41,15 +41,18 @@ fn solve_explicit(program: &Explicit, options: &SolveOptions) -> Solution {
             Cone::SecondOrder(n) => SupportedConeT::SecondOrderConeT(*n),
         }))
         .collect();
-    // below 1e-8 Clarabel usually stops at its rounding errors
-    let (gap, residual) = (options.gap.max(1e-8), options.residual.max(1e-8));
+    let stop = &options.stop;
+    let [gap, residual] = [stop.gap, stop.residual].map(|t| t.max(stop.clarabel));
     let settings = DefaultSettings {
         verbose: false,
-        max_iter: options.max_iterations,
+        max_iter: stop.max_iterations,
         time_limit: options.time_limit,
         tol_gap_abs: gap,
         tol_gap_rel: gap,
         tol_feas: residual,
+        reduced_tol_gap_abs: stop.nearly * gap,
+        reduced_tol_gap_rel: stop.nearly * gap,
+        reduced_tol_feas: stop.nearly * residual,
         // sequential: deterministic, and the two programs run side by side
         max_threads: 1,
         direct_solve_method: if cfg!(feature = "faer-sparse") { "faer" } else { "qdldl" }.into(),
@@ -85,8 +88,8 @@ fn solve_explicit(program: &Explicit, options: &SolveOptions) -> Solution {
         SolverStatus::Solved => SolveStatus::Optimal,
         SolverStatus::DualInfeasible => SolveStatus::Unbounded,
         SolverStatus::PrimalInfeasible => SolveStatus::Infeasible,
-        SolverStatus::AlmostSolved
-        | SolverStatus::AlmostDualInfeasible
+        SolverStatus::AlmostSolved => SolveStatus::AlmostOptimal,
+        SolverStatus::AlmostDualInfeasible
         | SolverStatus::AlmostPrimalInfeasible
         | SolverStatus::InsufficientProgress => SolveStatus::ReducedAccuracy,
         SolverStatus::MaxIterations => SolveStatus::IterationLimit,

@@ -8,7 +8,7 @@
 //! answer in their rounding errors; the projection has only one unknown per mode.
 
 use super::clarabel;
-use super::status::{SolveOptions, SolveStatus};
+use super::status::SolveOptions;
 use crate::programs::conic::{ConicProgram, Csr, SymmetricCsc, cone_margin};
 
 /// Smallest projection, relative to the loads, that counts as a lack of equilibrium.
@@ -59,7 +59,7 @@ pub fn direction(
         ..ConicProgram::default()
     };
     let solution = clarabel::solve(&small, &SolveOptions { progress: None, ..options.clone() });
-    if solution.status != SolveStatus::Optimal {
+    if !solution.status.is_solution() {
         return None;
     }
     // the work of the loads on the projection equals its squared length

@@ -9,8 +9,10 @@ pub mod prepare;
 pub mod scales;
 pub mod sparse;
 pub mod status;
+pub mod stop_rules;
 
 pub use forecast::{Forecast, Yardstick};
 pub use prepare::{Prepared, prepare, solve};
 pub use sparse::Patterns;
 pub use status::{Iteration, Solution, SolveOptions, SolveStatus, Solver};
+pub use stop_rules::StopRules;

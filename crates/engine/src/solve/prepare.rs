@@ -114,11 +114,13 @@ impl Prepared<'_> {
                 seconds: 0.0,
             }),
             Method::Condensed(prepared) => {
-                use SolveStatus::{Interrupted, Optimal, TimeLimit, Unbounded};
+                use SolveStatus::{AlmostOptimal, Interrupted, Optimal, TimeLimit, Unbounded};
                 let bytes = prepared.forecast().bytes;
                 let solution = prepared.solve_at(offsets.unwrap_or(&self.program.h), options);
-                let answered =
-                    matches!(solution.status, Optimal | Unbounded | TimeLimit | Interrupted);
+                let answered = matches!(
+                    solution.status,
+                    Optimal | AlmostOptimal | Unbounded | TimeLimit | Interrupted
+                );
                 let times = if self.program.elements.batches.is_empty() {
                     CLARABEL_MEMORY
                 } else {
@@ -181,6 +183,7 @@ fn failed(program: &ConicProgram) -> Solution {
 mod tests {
     use super::*;
     use crate::programs::conic::{Cone, Csr, SymmetricCsc};
+    use crate::solve::StopRules;
     use std::sync::Arc;
     use std::sync::atomic::{AtomicU64, Ordering};
     use std::time::Duration;
@@ -212,7 +215,12 @@ mod tests {
             answer()
         }) as _);
         (
-            SolveOptions { max_iterations: 2, time_limit, hand_over, ..SolveOptions::default() },
+            SolveOptions {
+                stop: StopRules { max_iterations: 2, ..StopRules::default() },
+                time_limit,
+                hand_over,
+                ..SolveOptions::default()
+            },
             asked,
         )
     }
@@ -232,8 +240,26 @@ mod tests {
         assert!(own.x != theirs.x, "Clarabel's point differs: {:?}", theirs.x);
         // with iterations enough no one is asked
         let (options, asked) = cut_short(f64::INFINITY, || false);
-        let all = solve(&program, &[0, 1, 2], &SolveOptions { max_iterations: 100, ..options });
+        let all =
+            solve(&program, &[0, 1, 2], &SolveOptions { stop: StopRules::default(), ..options });
         assert_eq!((all.status, asked.load(Ordering::Relaxed)), (SolveStatus::Optimal, 0));
+    }
+
+    #[test]
+    fn what_stalls_near_the_tolerance_is_almost_optimal() {
+        let solved = |gap: f64, nearly: f64| {
+            let stop = StopRules { gap, residual: gap, nearly, ..StopRules::default() };
+            // Clarabel does not take over
+            let (options, _) = cut_short(f64::INFINITY, || false);
+            solve(&program(), &[0, 1, 2], &options.with(stop))
+        };
+        // nothing reaches 1e-30; 1e-30 times 1e22 is the default tolerance
+        let near = solved(1e-30, 1e22);
+        assert_eq!(near.status, SolveStatus::AlmostOptimal);
+        let exact = solved(1e-10, 1.0);
+        assert_eq!(exact.status, SolveStatus::Optimal);
+        assert!(near.x.iter().zip(&exact.x).all(|(a, b)| (a - b).abs() < 1e-8), "{:?}", near.x);
+        assert!(!solved(1e-30, 1.0).status.is_solution());
     }
 
     #[test]

@@ -1,16 +1,20 @@
 //! Result of a solve: status, unknowns, multipliers. Outcomes are data, not errors.
 
 use super::sparse::patterns::Patterns;
+use super::stop_rules::StopRules;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-/// How a solve ended. Only `Optimal` can become a bound.
+/// How a solve ended. Only a solution ([`SolveStatus::is_solution`]) can become a bound.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum SolveStatus {
     /// Solved to the requested tolerance.
     Optimal,
+    /// Stopped at the limit of the arithmetic, nearly at the requested tolerance
+    /// ([`StopRules::nearly`]). The certificate of its fields decides what it is worth.
+    AlmostOptimal,
     /// The objective is unbounded along a direction: there is no equilibrium.
     Unbounded,
     /// No point satisfies the cones.
@@ -30,10 +34,19 @@ pub enum SolveStatus {
 }
 
 impl SolveStatus {
+    /// What a solve with a solution ends with.
+    pub const SOLUTIONS: [Self; 2] = [SolveStatus::Optimal, SolveStatus::AlmostOptimal];
+
+    /// True for unknowns and multipliers from which fields can be recovered.
+    pub fn is_solution(self) -> bool {
+        Self::SOLUTIONS.contains(&self)
+    }
+
     /// Wording in reports.
     pub fn words(self) -> &'static str {
         match self {
             SolveStatus::Optimal => "optimal",
+            SolveStatus::AlmostOptimal => "almost optimal",
             SolveStatus::Unbounded => "unbounded",
             SolveStatus::Infeasible => "infeasible",
             SolveStatus::ReducedAccuracy => "reduced accuracy",
@@ -97,40 +110,13 @@ pub enum Solver {
     Clarabel,
 }
 
-/// Relative gap at which limit analysis stops; its bounds are certified at any accuracy of the
-/// solver.
-pub const LIMIT_GAP: f64 = 1e-4;
-
-/// Residual at which solves of limit analysis end, relative to the gap.
-///
-/// Unbalanced stresses reduce the lower bound. Measured on three bolted joints at a gap of 1e-4: by
-/// 3e-5 to 5e-4 of the bound. 1e-2 reduces it by at most 4e-5 and takes 20 to 42 % longer; 1
-/// reduces it by up to 4e-3. The upper bound is 0 to 4e-4 higher than with 1e-2.
-const LIMIT_RESIDUAL: f64 = 1e-1;
-/// The same for the balance of forces in a solve for velocities. The upper bound is computed from
-/// the velocities alone, whose cones hold long before the stresses balance. Measured on the joint:
-/// 8e-5 of the upper bound, after a third of the iterations.
-const MECHANISM_UNBALANCED: f64 = 10.0;
-
 /// Limits and reporting of a solve.
 #[derive(Clone)]
 pub struct SolveOptions {
     /// The method.
     pub solver: Solver,
-    /// Relative duality gap at which to stop.
-    pub gap: f64,
-    /// The same for limit analysis, whose bounds are certified at any accuracy of the solver.
-    pub limit_gap: f64,
-    /// Relative residuals at which to stop.
-    ///
-    /// An iterate that stalls within a hundred times (in limit analysis ten times) the requested
-    /// gap and residual is accepted.
-    pub residual: f64,
-    /// Relative imbalance of forces, and error of strains, at which to stop, where it exceeds
-    /// `residual`.
-    pub unbalanced: f64,
-    /// Largest number of iterations.
-    pub max_iterations: u32,
+    /// When a solve ends.
+    pub stop: StopRules,
     /// Largest wall time \[s\].
     pub time_limit: f64,
     /// Receives a report of every iteration.
@@ -144,18 +130,9 @@ pub struct SolveOptions {
 }
 
 impl SolveOptions {
-    /// Options for a solve for the velocities of limit analysis.
-    pub fn for_mechanism(&self) -> Self {
-        Self { unbalanced: MECHANISM_UNBALANCED * self.limit_gap, ..self.for_resistance() }
-    }
-
-    /// Options for a solve for the stresses of limit analysis.
-    pub fn for_resistance(&self) -> Self {
-        Self {
-            gap: self.limit_gap,
-            residual: self.residual.max(LIMIT_RESIDUAL * self.limit_gap),
-            ..self.clone()
-        }
+    /// These options with other rules of when to end.
+    pub fn with(&self, stop: StopRules) -> Self {
+        Self { stop, ..self.clone() }
     }
 
     /// True once the user has requested a stop.
@@ -168,11 +145,7 @@ impl Default for SolveOptions {
     fn default() -> Self {
         Self {
             solver: Solver::default(),
-            gap: 1e-8,
-            limit_gap: LIMIT_GAP,
-            residual: 1e-8,
-            unbalanced: 0.0,
-            max_iterations: 100,
+            stop: StopRules::default(),
             time_limit: f64::INFINITY,
             progress: None,
             hand_over: None,

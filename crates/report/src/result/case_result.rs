@@ -269,7 +269,7 @@ impl CaseResult {
             let runs = [&row.static_frictionless, &row.static_, &row.kinematic];
             runs.into_iter().flatten().map(|r| r.status.as_str())
         });
-        ended.find(|s| *s != SolveStatus::Optimal.words())
+        ended.find(|s| !SolveStatus::SOLUTIONS.iter().any(|status| status.words() == *s))
     }
 
     /// Which strict bound limit analysis did not give, as text with the reason; `None` where it

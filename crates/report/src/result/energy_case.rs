@@ -159,7 +159,7 @@ fn program_warnings(pass: &EnergyPass) -> Vec<String> {
             (_, ProgramOutcome { mechanism: Some(m), .. }) => {
                 format!("no stress of this mesh is in equilibrium with the loads: {m}")
             }
-            (SolveStatus::Optimal, _) => continue,
+            (status, _) if status.is_solution() => continue,
             (SolveStatus::Infeasible, ProgramOutcome { conflict: Some(c), .. }) => format!(
                 "the {name} program has no solution, so there is no {bound} bound: {c}; check \
                  initial gaps and what holds the parts there, or refine the mesh there"

@@ -84,7 +84,7 @@ fn program_warnings(pass: &LimitPass, problem: FrictionModel) -> Vec<String> {
     for (name, bound, run) in runs {
         match run.status {
             _ if run.trouble.is_some() => warn(run_warning(name, bound, run).unwrap_or_default()),
-            SolveStatus::Optimal => {}
+            status if status.is_solution() => {}
             SolveStatus::Infeasible if name == "frictionless static" => {
                 warn(format!(
                     "without friction {NO_LIMIT} (the solver says so, no certificate proves it)"

@@ -21,13 +21,6 @@ use crate::recover::moving_parts::mechanism;
 use crate::recover::plastic::{approximate_stress, plastic_motion, yielding_stress};
 use crate::solve::{Patterns, Solution, SolveOptions};
 
-/// Relative gap and residual of a rough elastic solution, which only shows where yield conditions
-/// are needed.
-const ROUGH: [f64; 2] = [2e-2, 5e-3];
-/// Relative gap at which a solve ends.
-pub const GAP: f64 = 1e-7;
-/// Residual at which a solve ends; the recovery makes the fields admissible from there.
-const RESIDUAL: f64 = 1e-7;
 /// Residual of a stress in equilibrium up to rounding.
 pub(super) const ROUNDING: f64 = 2e-13;
 
@@ -89,16 +82,11 @@ fn collapse(
 
 /// Options of a solve; without yield conditions those of the elastic analysis.
 fn accuracy(rough: bool, yielding: Option<usize>, asked: &SolveOptions) -> SolveOptions {
-    let [gap, residual] = match yielding {
-        _ if rough => ROUGH,
-        Some(0) => [0.0; 2],
-        _ => [GAP, RESIDUAL],
-    };
-    SolveOptions {
-        gap: asked.gap.max(gap),
-        residual: asked.residual.max(residual),
-        ..asked.clone()
-    }
+    asked.with(match yielding {
+        _ if rough => asked.stop.for_rough(),
+        Some(0) => asked.stop,
+        _ => asked.stop.for_yielding(),
+    })
 }
 
 /// Number of tets with unknowns of their own; those of weld faces follow behind the tets.

@@ -84,7 +84,7 @@ impl DiscreteProgram for CoulombLimitKinematic {
 
     /// As for the static program: the load factor belongs to the stresses, which must balance.
     fn accuracy(&self, asked: &SolveOptions) -> SolveOptions {
-        asked.for_resistance()
+        asked.with(asked.stop.for_resistance())
     }
 
     /// None: a mechanism is a regular result here.

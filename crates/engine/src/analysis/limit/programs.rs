@@ -10,7 +10,7 @@ use crate::programs::{Kinematic, Static};
 use crate::recover::elastic::RecoverError;
 use crate::recover::limit_lower::{self, ApproximateStress, LowerError};
 use crate::recover::limit_upper::{self, UpperError};
-use crate::solve::{self, Patterns, Solution, SolveOptions, SolveStatus};
+use crate::solve::{self, Patterns, Solution, SolveOptions};
 use bracket_base::math::vec3::V3;
 
 /// Halvings of the tets on which the dissipation of the final velocities is evaluated; a repetition
@@ -57,7 +57,7 @@ impl DiscreteProgram for LimitKinematic {
     }
 
     fn accuracy(&self, asked: &SolveOptions) -> SolveOptions {
-        asked.for_mechanism()
+        asked.with(asked.stop.for_mechanism())
     }
 
     /// None: a mechanism is a regular result here.
@@ -100,7 +100,7 @@ impl<'a> DiscreteProgram for LimitStatic<'a> {
     }
 
     fn accuracy(&self, asked: &SolveOptions) -> SolveOptions {
-        asked.for_resistance()
+        asked.with(asked.stop.for_resistance())
     }
 
     /// None, as in the kinematic program.
@@ -156,7 +156,7 @@ pub(super) fn dead_stress(
         let statics = Static::with_plasticity(&dead)?;
         let options = SolveOptions { patterns: patterns.clone(), ..SolveOptions::default() };
         let solution = solve::solve(&statics.program, &statics.map.block, &options);
-        if solution.status != SolveStatus::Optimal {
+        if !solution.status.is_solution() {
             let status = solution.status.words();
             return Err(RecoverError::Factor(format!(
                 "the dead loads alone have no certified equilibrium ({status})"

@@ -67,18 +67,19 @@ pub fn iterate(
             iterations,
         }
     };
-    // the best iterate is accepted when it is nearly as good as the tolerances ask; the fields are
-    // certified in any case
-    let nearly = settings.nearly;
+    let rules = &options.stop;
+    // the best iterate is a solution when it is nearly as good as the tolerances ask; the fields
+    // are certified in any case
+    let nearly = rules.nearly(problem.is_limit());
     let stop = |status, best: Point, merit: f64, iteration| {
         let good = merit <= nearly && !matches!(status, SolveStatus::TimeLimit);
-        end(if good { SolveStatus::Optimal } else { status }, best, iteration)
+        end(if good { SolveStatus::AlmostOptimal } else { status }, best, iteration)
     };
-    for iteration in 0..=options.max_iterations {
+    for iteration in 0..=rules.max_iterations {
         let r = residuals(problem, settings, &p, reference);
         // 1 at the tolerances
-        let dual = r.dual / options.residual.max(options.unbalanced);
-        let merit = (r.gap / options.gap).max(dual).max(r.primal / options.residual);
+        let dual = r.dual / rules.residual.max(rules.unbalanced);
+        let merit = (r.gap / rules.gap).max(dual).max(r.primal / rules.residual);
         if let Some(report) = &options.progress {
             let residual = r.dual.max(r.primal);
             let seconds = start.elapsed().as_secs_f64();
@@ -93,20 +94,18 @@ pub fn iterate(
         if merit <= 1.0 {
             return end(SolveStatus::Optimal, p, iteration);
         }
-        let certain = options.residual.min(settings.certain);
-        if let Some(status) = certificate(problem, settings, &p, &r, certain) {
+        if let Some(status) = certificate(problem, rules, &p, &r) {
             return end(status, p, iteration);
         }
         if merit < best_merit {
             (best_merit, best, worse) = (merit, p.clone(), 0);
         } else if best_merit <= nearly {
-            // accurate enough and no longer improving: the limit of the arithmetic
             worse += 1;
-            if worse == 2 {
+            if worse == rules.not_better {
                 return stop(SolveStatus::ReducedAccuracy, best, best_merit, iteration);
             }
         }
-        if iteration == options.max_iterations {
+        if iteration == rules.max_iterations {
             return stop(SolveStatus::IterationLimit, best, best_merit, iteration);
         }
         if options.interrupted() {
@@ -138,8 +137,8 @@ pub fn iterate(
             return stop(SolveStatus::NumericalError, best, best_merit, iteration);
         }
         last_step = a;
-        short = if a < settings.short_step { short + 1 } else { 0 };
-        if short == 3 {
+        short = if a < rules.short_step { short + 1 } else { 0 };
+        if short == rules.short_steps {
             return stop(SolveStatus::ReducedAccuracy, best, best_merit, iteration);
         }
         for (v, d) in [(&mut p.x, &d.x), (&mut p.s, &d.s), (&mut p.z, &d.z)] {
@@ -155,5 +154,5 @@ pub fn iterate(
         p.tau *= size;
         p.kappa *= size;
     }
-    stop(SolveStatus::IterationLimit, best, best_merit, options.max_iterations)
+    stop(SolveStatus::IterationLimit, best, best_merit, rules.max_iterations)
 }

@@ -6,6 +6,7 @@ use super::scaled_program::ScaledProgram;
 use super::settings::Settings;
 use super::vectors::{dot, largest, vector};
 use crate::solve::status::SolveStatus;
+use crate::solve::stop_rules::StopRules;
 
 /// Residuals of the embedding at a point, and the numbers of the stopping rules.
 pub struct Residuals {
@@ -89,15 +90,15 @@ pub fn residuals(
 /// The certificate that a point contains, unbounded or infeasible, if any.
 pub fn certificate(
     problem: &ScaledProgram,
-    settings: &Settings,
+    stop: &StopRules,
     p: &Point,
     r: &Residuals,
-    tolerance: f64,
 ) -> Option<SolveStatus> {
     if r.cx + r.hz + r.xpx / p.tau >= 0.0 {
         return None;
     }
-    let (looser, decided) = settings.decided;
+    let tolerance = stop.residual.min(stop.certain);
+    let (looser, decided) = stop.decided;
     let tolerance = if p.kappa > decided * p.tau { looser * tolerance } else { tolerance };
     let (q, h) = (&problem.program.q, &problem.program.h);
     // G x − s without the τ term, for the cones of one side

@@ -1,6 +1,7 @@
 //! Settings of the interior-point iteration, each with its meaning and the measurement behind it.
 
-/// Settings of the iteration; elastic and limit analysis differ in four of them.
+/// Settings of the iteration; elastic and limit analysis differ in three of them. When
+/// it ends is in [`crate::solve::StopRules`].
 pub struct Settings {
     /// Fraction of the way to the surface of the cones that a step may go.
     pub fraction_to_boundary: f64,
@@ -33,15 +34,6 @@ pub struct Settings {
     pub worth: f64,
     /// Complementarity products within these multiples of the target are well centred.
     pub centre: (f64, f64),
-    /// An iterate that stalls within this many times the tolerances is accepted. The tolerances of
-    /// limit analysis are coarse already.
-    pub nearly: f64,
-    /// Largest residual of a certificate of unboundedness or infeasibility, however coarse the
-    /// tolerance of a solution is.
-    pub certain: f64,
-    /// A certificate is accepted with residuals `decided.0` times larger once κ > `decided.1` τ:
-    /// the embedding has decided.
-    pub decided: (f64, f64),
     /// Fraction of the load factor at first yield below which a load factor counts as zero. Gap and
     /// residuals are measured there by their size at that fraction: where the stresses of a mesh
     /// carry no load at all, forces and objective vanish together.
@@ -60,8 +52,6 @@ pub struct Settings {
     /// Elastic stress at unit load factor below which the loads count as stressing nothing, so that
     /// there is no load factor at first yield.
     pub unstressed: f64,
-    /// Steps shorter than this make no progress; three of them in a row end the iteration.
-    pub short_step: f64,
     /// Relative increase of the diagonal when a factorisation fails, for a second attempt.
     pub raised_diagonal: f64,
 }
@@ -81,25 +71,16 @@ impl Settings {
         longer: 0.3,
         worth: 0.1,
         centre: (0.1, 10.0),
-        nearly: 100.0,
-        certain: 1e-8,
-        decided: (100.0, 1e3),
         nothing: 1e-3,
         opening: 100.0,
         pressure: 0.1,
         unstressed: 1e-9,
-        short_step: 1e-3,
         raised_diagonal: 1e-10,
     };
 
     /// Limit analysis.
-    pub const LIMIT: Self = Self {
-        direction_error: 0.1,
-        correctors: 8,
-        dense_factor: 0.0,
-        nearly: 10.0,
-        ..Self::ELASTIC
-    };
+    pub const LIMIT: Self =
+        Self { direction_error: 0.1, correctors: 8, dense_factor: 0.0, ..Self::ELASTIC };
 
     /// Settings of a program; `limit`: the program has a load factor.
     pub fn of(limit: bool) -> &'static Self {
