@@ -53,8 +53,12 @@ done
 case $not_run in *fmt*) ;; *) step cargo fmt --all --check ;; esac
 case $not_run in *clippy*) ;; *) step cargo clippy --release --all-targets --locked -- -D warnings ;; esac
 
+# scripts/paper_joint.sh builds twice
+step .venv/bin/python scripts/shared_features.py
+
 # builds the program too
 step cargo test --release --locked
+step "${CARGO_TARGET_DIR:-target}/release/examples/clamped_block"
 if [ "$heavy" = yes ]; then
     step cargo test --release --locked --lib --bins --tests -- --ignored
 fi

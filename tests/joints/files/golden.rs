@@ -1,7 +1,7 @@
 //! `report.md` and `result.json` of a made-up joint against the files in `tests/golden`.
 //!
-//! After an intended change, run `BRACKET_UPDATE_GOLDEN=1 cargo test --release --test joints
-//! golden` and read the difference.
+//! After an intended change, run this and read the difference:
+//! `BRACKET_UPDATE_GOLDEN=1 cargo test --release --test joints golden`.
 
 use bracket::checks::{Check, Judgement, Status, Topic, Unit, Worked};
 use bracket::model::AnalysisKind;
