@@ -7,6 +7,7 @@ mod column_section;
 mod elastoplastic_joint;
 mod joint_verdict;
 mod moment_and_axial;
+mod printed_formulas;
 mod random_joints;
 mod shear_across;
 mod small_actions;

@@ -1,84 +1,13 @@
 //! The record of one check: clause, formula with its numbers, demand, resistance, utilisation.
 
+use crate::formula::{Derivation, Formula, Line, Number, Relation, Traced};
+pub use crate::unit::{Unit, number};
 use bracket_base::units::limits;
 use serde::{Deserialize, Serialize};
-use std::fmt;
+use std::borrow::Cow;
 
 /// What the formula of a check says whose demand or resistance is not finite.
-const NO_NUMBER: &str = "; there is no such number, so that the check does not hold";
-
-/// Words before what would decide an undecided check.
-pub(super) const DECIDED_BY: &str = "what would decide it";
-
-/// Unit of a value of a check. Values are always in the internal units.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Unit {
-    /// A pure number.
-    #[default]
-    #[serde(rename = "-")]
-    Number,
-    /// Length \[mm\].
-    #[serde(rename = "mm")]
-    Length,
-    /// Area \[mm²\].
-    #[serde(rename = "mm2")]
-    Area,
-    /// Force \[N\].
-    #[serde(rename = "N")]
-    Force,
-    /// Force per length \[N/mm\].
-    #[serde(rename = "N/mm")]
-    ForcePerLength,
-    /// Stress \[MPa\].
-    #[serde(rename = "MPa")]
-    Stress,
-    /// Moment \[N mm\].
-    #[serde(rename = "N mm")]
-    Moment,
-    /// Rotational stiffness \[N mm/rad\].
-    #[serde(rename = "N mm/rad")]
-    Rotational,
-}
-
-impl Unit {
-    /// Factor from the internal unit to the printed one, and the name of the printed one: forces in
-    /// kN, moments in kN m.
-    pub fn printed(self) -> (f64, &'static str) {
-        match self {
-            Unit::Number => (1.0, ""),
-            Unit::Length => (1.0, "mm"),
-            Unit::Area => (1.0, "mm²"),
-            Unit::Force => (1e-3, "kN"),
-            Unit::ForcePerLength => (1.0, "N/mm"),
-            Unit::Stress => (1.0, "MPa"),
-            Unit::Moment => (1e-6, "kN m"),
-            Unit::Rotational => (1e-6, "kN m/rad"),
-        }
-    }
-
-    /// A value as a report prints it, with its unit.
-    pub fn show(self, value: f64) -> String {
-        let (factor, name) = self.printed();
-        let text = number(value * factor);
-        if name.is_empty() { text } else { format!("{text} {name}") }
-    }
-}
-
-/// A number with four significant digits, all digits of whole numbers, no trailing zeros.
-pub fn number(x: f64) -> String {
-    if x == 0.0 || !x.is_finite() {
-        return if x == 0.0 { "0".into() } else { x.to_string() };
-    }
-    let power = x.abs().log10().floor();
-    if !(-4.0..9.0).contains(&power) {
-        return format!("{x:.3e}");
-    }
-    let text = format!("{x:.*}", (3 - power as i32).max(0) as usize);
-    match text.contains('.') {
-        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
-        false => text,
-    }
-}
+const NO_NUMBER: &str = "there is no such number, so that the check does not hold";
 
 /// An intermediate value.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -154,7 +83,8 @@ pub struct Check {
     /// Name of the check.
     pub title: String,
     /// The formula with its numbers.
-    pub formula: String,
+    #[serde(flatten)]
+    pub derivation: Derivation,
     /// Intermediate values.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub values: Vec<Step>,
@@ -188,7 +118,7 @@ impl Check {
         subject: impl Into<String>,
         clause: &str,
         title: &str,
-        why: impl Into<String>,
+        why: impl Into<Derivation>,
         step: &str,
     ) -> Self {
         let open = Self::assumption(topic, subject, clause, title, why);
@@ -199,15 +129,25 @@ impl Check {
     #[must_use]
     pub fn decided_by(mut self, step: &str) -> Self {
         if self.status == Status::Undecided {
-            self.formula += &format!("; {DECIDED_BY}: {step}");
+            self.derivation.lines.push(Line::DecidedBy(step.into()));
         }
         self
     }
 
     /// Why an undecided check is open, and what would decide it.
-    pub fn open(&self) -> Option<(&str, &str)> {
-        let mark = format!("; {DECIDED_BY}: ");
-        self.formula.rsplit_once(&mark).filter(|_| self.status == Status::Undecided)
+    pub fn open(&self) -> Option<(String, &str)> {
+        let (last, why) = self.derivation.lines.split_last()?;
+        match last {
+            Line::DecidedBy(step) if self.status == Status::Undecided => {
+                Some((Derivation { lines: why.to_vec() }.text(), step))
+            }
+            _ => None,
+        }
+    }
+
+    /// The formula with its numbers, as text.
+    pub fn formula(&self) -> String {
+        self.derivation.text()
     }
 
     /// An assumption of the checks, in words.
@@ -216,7 +156,7 @@ impl Check {
         subject: impl Into<String>,
         clause: &str,
         title: &str,
-        what: impl Into<String>,
+        what: impl Into<Derivation>,
     ) -> Self {
         Self {
             topic,
@@ -224,7 +164,7 @@ impl Check {
             subject: subject.into(),
             clause: clause.into(),
             title: title.into(),
-            formula: what.into(),
+            derivation: what.into(),
             values: Vec::new(),
             demand: None,
             resistance: None,
@@ -235,59 +175,65 @@ impl Check {
         }
     }
 
-    /// A length that must reach a least value: the demand is the required length, the resistance
-    /// the provided one. `otherwise` is the status where it is too small.
+    /// A length that must reach a least value: the demand is the required length `limit`, the
+    /// resistance the provided one. `otherwise` is the status where it is too small.
     pub fn at_least(
-        (topic, subject): (Topic, impl Into<String>),
-        (clause, title): (&str, &str),
-        symbol: &str,
-        (required, rule): (f64, impl fmt::Display),
+        of: (Topic, impl Into<String>),
+        what: (&str, &str),
+        symbol: impl Into<Cow<'static, str>>,
+        limit: impl Into<Traced>,
         provided: f64,
         otherwise: Status,
     ) -> Self {
-        let sign = if within(required, provided) { "≥" } else { "<" };
-        let formula = comparison(symbol, provided, sign, required, rule);
-        Self::limit(topic, subject.into(), clause, title, formula, (required, provided), otherwise)
+        let limit = limit.into();
+        let numbers = (limit.value(), provided);
+        let relation =
+            if within(limit.value(), provided) { Relation::AtLeast } else { Relation::Below };
+        Self::limit(of, what, (symbol.into(), provided, relation, limit), numbers, otherwise)
     }
 
-    /// A length that must not exceed a greatest value: the demand is the provided length, the
-    /// resistance the allowed one. `otherwise` is the status where it is too large.
+    /// A length that must not exceed a greatest value `limit`: the demand is the provided length,
+    /// the resistance the allowed one. `otherwise` is the status where it is too large.
     pub fn at_most(
-        (topic, subject): (Topic, impl Into<String>),
-        (clause, title): (&str, &str),
-        symbol: &str,
-        (allowed, rule): (f64, impl fmt::Display),
+        of: (Topic, impl Into<String>),
+        what: (&str, &str),
+        symbol: impl Into<Cow<'static, str>>,
+        limit: impl Into<Traced>,
         provided: f64,
         otherwise: Status,
     ) -> Self {
-        let sign = if within(provided, allowed) { "≤" } else { ">" };
-        let formula = comparison(symbol, provided, sign, allowed, rule);
-        Self::limit(topic, subject.into(), clause, title, formula, (provided, allowed), otherwise)
+        let limit = limit.into();
+        let numbers = (provided, limit.value());
+        let relation =
+            if within(provided, limit.value()) { Relation::AtMost } else { Relation::Above };
+        Self::limit(of, what, (symbol.into(), provided, relation, limit), numbers, otherwise)
+    }
+
+    /// The limit of a pure number in place of that of a length.
+    #[must_use]
+    pub fn of_numbers(mut self) -> Self {
+        self.unit = Unit::Number;
+        for line in &mut self.derivation.lines {
+            if let Line::Comparison { limit, .. } = line {
+                limit.unit = Unit::Number;
+            }
+        }
+        self
     }
 
     fn limit(
-        topic: Topic,
-        subject: String,
-        clause: &str,
-        title: &str,
-        formula: String,
+        (topic, subject): (Topic, impl Into<String>),
+        (clause, title): (&str, &str),
+        (symbol, value, relation, limit): (Cow<'static, str>, f64, Relation, Traced),
         (demand, resistance): (f64, f64),
         otherwise: Status,
     ) -> Self {
+        let limit = Formula::new("", limit, Unit::Length);
+        let formula = Line::Comparison { symbol, value, relation, limit };
         let mut check = Self {
-            topic,
-            case: None,
-            subject,
-            clause: clause.into(),
-            title: title.into(),
-            formula,
-            values: Vec::new(),
-            demand: None,
-            resistance: None,
-            utilisation: None,
             unit: Unit::Length,
             status: Status::Ok,
-            advice: false,
+            ..Self::assumption(topic, subject, clause, title, formula)
         };
         check.judge(demand, resistance, otherwise);
         check
@@ -305,7 +251,7 @@ impl Check {
         let finite = self.demand.is_some() && self.resistance.is_some();
         self.status = if finite && within(demand, resistance) { Status::Ok } else { otherwise };
         if !finite {
-            self.formula += NO_NUMBER;
+            self.derivation.lines.push(NO_NUMBER.into());
         }
     }
 
@@ -330,7 +276,7 @@ impl Check {
 
     /// Whether the formula begins with the demand: `V_wp,Ed = …; V_wp,Rd = …`.
     fn formula_has_demand(&self) -> bool {
-        self.formula.split('=').next().is_some_and(|symbol| symbol.contains("Ed"))
+        self.formula().split('=').next().is_some_and(|symbol| symbol.contains("Ed"))
     }
 
     /// The check in a sentence.
@@ -345,24 +291,12 @@ impl Check {
         };
         format!(
             "{case}{}: {}: {demand}{} ({})",
-            self.subject, self.title, self.formula, self.clause
+            self.subject,
+            self.title,
+            self.formula(),
+            self.clause
         )
     }
-}
-
-/// Comparison of a length with its limit, `e1 = 23 mm < 1.2 d0 = 24 mm`. A rule that is a plain
-/// length is not repeated: `a = 6 mm ≥ 3 mm`.
-fn comparison(
-    symbol: &str,
-    provided: f64,
-    sign: &str,
-    limit: f64,
-    rule: impl fmt::Display,
-) -> String {
-    let (provided, limit, rule) =
-        (Unit::Length.show(provided), Unit::Length.show(limit), rule.to_string());
-    let end = if rule == limit { limit } else { format!("{rule} = {limit}") };
-    format!("{symbol} = {provided} {sign} {end}")
 }
 
 /// Whether a value is at most a limit, but for rounding; never true of NaN.
@@ -390,42 +324,24 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_keep_four_digits_and_no_zeros() {
-        let cases = [
-            (0.0, "0"),
-            (0.9, "0.9"),
-            (90432.0, "90432"),
-            (1.25, "1.25"),
-            (2.11818, "2.118"),
-            (-33.4, "-33.4"),
-        ];
-        for (x, text) in
-            cases.into_iter().chain([(1e12, "1.000e12"), (1234.5, "1234"), (0.0001, "0.0001")])
-        {
-            assert_eq!(number(x), text);
-        }
-        assert_eq!(Unit::Force.show(90_432.0), "90.43 kN");
-        assert_eq!(Unit::Number.show(0.606), "0.606");
-    }
-
-    #[test]
     fn a_limit_met_exactly_holds_and_one_missed_by_a_hair_does_not() {
         let check = |provided: f64| {
             let (topic, what) = ((Topic::Detailing, "plate"), ("Table 3.3", "end distance"));
-            Check::at_least(topic, what, "e1", (1.2 * 20.0, "1.2 d0"), provided, Status::Failed)
+            let rule = Traced::from(1.2) * Traced::symbol("d0", 20.0, Unit::Length);
+            Check::at_least(topic, what, "e1", rule, provided, Status::Failed)
         };
         assert_eq!(check(24.0).status, Status::Ok);
         assert_eq!(check(23.99).status, Status::Failed);
         assert_eq!(check(f64::NAN).status, Status::Failed);
         assert!(check(23.99).utilisation.is_some_and(|u| u > 1.0));
         assert!(
-            check(23.99).formula.contains("e1 = 23.99 mm < 1.2 d0 = 24 mm"),
+            check(23.99).formula().contains("e1 = 23.99 mm < 1.2 d0 = 1.2 · 20 = 24 mm"),
             "{}",
-            check(23.99).formula
+            check(23.99).formula()
         );
         let (topic, what) = ((Topic::Welds, "beam web"), ("4.5.2", "throat"));
-        let throat = Check::at_least(topic, what, "a", (3.0, "3 mm"), 6.0, Status::Failed);
-        assert_eq!(throat.formula, "a = 6 mm ≥ 3 mm");
+        let throat = Check::at_least(topic, what, "a", 3.0, 6.0, Status::Failed);
+        assert_eq!(throat.formula(), "a = 6 mm ≥ 3 mm");
         assert_eq!(check(-3.0).utilisation, None, "no finite utilisation where nothing is there");
     }
 }

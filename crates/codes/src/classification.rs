@@ -1,6 +1,8 @@
 //! Classification of joints by stiffness and by strength: EN 1993-1-8:2005 5.2.
 
-use crate::check::{Unit, number as n, within};
+use crate::check::within;
+use crate::formula::Traced;
+use crate::unit::Unit;
 use crate::worked::Worked;
 use serde::{Deserialize, Serialize};
 
@@ -61,25 +63,16 @@ pub fn stiffness_limits(
     length: f64,
 ) -> StiffnessLimits {
     const CLAUSE: &str = "EN 1993-1-8:2005 5.2.2.5(1)";
-    let unit = young * inertia / length;
-    let numbers = format!("{} · {}/{}", n(young), n(inertia), n(length));
+    let unit =
+        Traced::stress("E", young) * Traced::number("I_b", inertia) / Traced::length("L_b", length);
     let never = frame == Frame::Unbraced && stiff_columns;
-    let (k, value) = if never {
-        (f64::INFINITY, f64::INFINITY)
-    } else {
-        (frame.factor(), frame.factor() * unit)
-    };
-    let rigid = format!("k_b E I_b/L_b = {} · {numbers}", n(k));
-    let pinned = format!("0.5 E I_b/L_b = 0.5 · {numbers}");
+    let factor = if never { f64::INFINITY } else { frame.factor() };
+    let rigid = Traced::number("k_b", factor) * unit.clone();
+    let pinned = Traced::from(0.5) * unit;
+    let limit = |title, of| Worked::of(CLAUSE, title, "", of, Unit::Rotational);
     StiffnessLimits {
-        rigid: Worked::new(CLAUSE, "limit of rigid joints", value, Unit::Rotational, rigid),
-        pinned: Worked::new(
-            CLAUSE,
-            "limit of nominally pinned joints",
-            0.5 * unit,
-            Unit::Rotational,
-            pinned,
-        ),
+        rigid: limit("limit of rigid joints", rigid),
+        pinned: limit("limit of nominally pinned joints", pinned),
     }
 }
 

@@ -1,7 +1,8 @@
 //! Rotation capacity: EN 1993-1-8:2005 6.4.2 and the rule of UK practice.
 
-use crate::check::{Check, Status, Topic, Unit, number as n};
+use crate::check::{Check, Status, Topic};
 use crate::eurocode::section::epsilon;
+use crate::formula::{Number, Traced};
 
 /// A bolt and the plate or flange that it clamps.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,17 +25,15 @@ pub struct Clamped {
 /// # Source
 /// EN 1993-1-8:2005 6.4.2(2), formula 6.32.
 pub fn rotation_capacity(subject: &str, c: &Clamped) -> Check {
-    let limit = 0.36 * c.d * (c.fub / c.fy).sqrt();
-    let rule = format!("0.36 d √(f_ub/f_y) = 0.36 · {} · √({}/{})", n(c.d), n(c.fub), n(c.fy));
+    let limit = Traced::from(0.36) * Traced::length("d", c.d) * strengths(c);
     let title = ("EN 1993-1-8:2005 6.4.2(2)", "thickness for rotation capacity");
-    Check::at_most(
-        (Topic::Ductility, subject),
-        title,
-        "t",
-        (limit, rule),
-        c.thickness,
-        Status::Warning,
-    )
+    let of = (Topic::Ductility, subject);
+    Check::at_most(of, title, "t", limit, c.thickness, Status::Warning)
+}
+
+/// √(f_ub/f_y).
+fn strengths(c: &Clamped) -> Traced {
+    (Traced::stress("f_ub", c.fub) / Traced::stress("f_y", c.fy)).sqrt()
 }
 
 /// Whether the rows may reach their plastic forces side by side; a warning where they may not.
@@ -44,17 +43,10 @@ pub fn rotation_capacity(subject: &str, c: &Clamped) -> Check {
 /// # Source
 /// UK National Annex to BS EN 1993-1-8, NA.2.7; SCI P398, 2.
 pub fn plastic_distribution(subject: &str, c: &Clamped) -> Check {
-    let limit = c.d / 1.9 * (c.fub / c.fy).sqrt();
-    let rule = format!("(d/1.9) √(f_ub/f_y) = ({}/1.9) √({}/{})", n(c.d), n(c.fub), n(c.fy));
+    let limit = Traced::length("d", c.d) / Traced::from(1.9) * strengths(c);
     let title = ("UK NA to BS EN 1993-1-8, NA.2.7", "thickness for plastic forces of the rows");
-    Check::at_most(
-        (Topic::Ductility, subject),
-        title,
-        "t",
-        (limit, rule),
-        c.thickness,
-        Status::Warning,
-    )
+    let of = (Topic::Ductility, subject);
+    Check::at_most(of, title, "t", limit, c.thickness, Status::Warning)
 }
 
 /// Whether a web panel that governs in shear gives enough rotation, `d_c/t_w ≤ 69 ε`; a warning
@@ -64,18 +56,9 @@ pub fn plastic_distribution(subject: &str, c: &Clamped) -> Check {
 /// EN 1993-1-8:2005 6.4.2(1).
 pub fn panel_in_shear(subject: &str, clear_depth: f64, web: f64, fy: f64) -> Check {
     let title = ("EN 1993-1-8:2005 6.4.2(1)", "slenderness of the web panel");
-    let rule = (69.0 * epsilon(fy), format!("69 ε = 69 · {}", n(epsilon(fy))));
-    let mut check = Check::at_most(
-        (Topic::Ductility, subject),
-        title,
-        "d_c/t_w",
-        rule,
-        clear_depth / web,
-        Status::Warning,
-    );
-    check.unit = Unit::Number;
-    check.formula = check.formula.replace(" mm", "");
-    check
+    let limit = Traced::from(69.0) * Traced::number("ε", epsilon(fy));
+    let of = (Topic::Ductility, subject);
+    Check::at_most(of, title, "d_c/t_w", limit, clear_depth / web, Status::Warning).of_numbers()
 }
 
 #[cfg(test)]

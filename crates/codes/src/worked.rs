@@ -1,7 +1,8 @@
 //! A value of the code with its derivation, and how it becomes a check.
 
 use super::check::{Check, Status, Step, Topic, Unit};
-use std::fmt;
+use super::formula::{Derivation, Formula, Line, Number, Traced};
+use std::borrow::Cow;
 
 /// A value computed by a formula of the code, with its derivation.
 #[derive(Clone, Debug, PartialEq)]
@@ -10,8 +11,8 @@ pub struct Worked {
     pub clause: &'static str,
     /// Name of the value.
     pub title: &'static str,
-    /// The formula with symbols, then with numbers, then the result.
-    pub formula: String,
+    /// The formula that gives it, and what stands before and behind it.
+    pub derivation: Derivation,
     /// Intermediate values.
     pub steps: Vec<Step>,
     /// The value, internal unit.
@@ -21,17 +22,17 @@ pub struct Worked {
 }
 
 impl Worked {
-    /// A value with its clause; `formula` is the formula with its numbers, to which the result is
-    /// appended.
-    pub fn new(
+    /// A value with its clause and its formula, `symbol` = `of`.
+    pub fn of(
         clause: &'static str,
         title: &'static str,
-        value: f64,
+        symbol: impl Into<Cow<'static, str>>,
+        of: Traced,
         unit: Unit,
-        formula: impl fmt::Display,
     ) -> Self {
-        let formula = format!("{formula} = {}", unit.show(value));
-        Self { clause, title, formula, steps: Vec::new(), value, unit }
+        let value = of.value();
+        let derivation = Formula::new(symbol, of, unit).into();
+        Self { clause, title, derivation, steps: Vec::new(), value, unit }
     }
 
     /// Adds an intermediate value.
@@ -41,12 +42,46 @@ impl Worked {
         self
     }
 
-    /// The value times a factor, which `words` explain with its number.
+    /// Adds symbols of the formula as intermediate values.
     #[must_use]
-    pub fn times(mut self, factor: f64, words: impl fmt::Display) -> Self {
-        self.value *= factor;
-        self.formula = format!("{}; times {words} = {}", self.formula, self.unit.show(self.value));
+    pub fn with_symbols<const N: usize>(mut self, symbols: [&Traced; N]) -> Self {
+        for (symbol, value, unit) in symbols.into_iter().flat_map(|s| s.term().symbols()) {
+            self = self.with(symbol, value, unit);
+        }
         self
+    }
+
+    /// The value with a further part of its derivation: a formula, a comparison or a sentence.
+    #[must_use]
+    pub fn then(mut self, line: impl Into<Line>) -> Self {
+        self.derivation = self.derivation.then(line);
+        self
+    }
+
+    /// The value with what its derivation begins with.
+    #[must_use]
+    pub fn after(mut self, before: impl Into<Derivation>) -> Self {
+        self.derivation = before.into().followed_by(self.derivation);
+        self
+    }
+
+    /// A further formula whose value takes the place of this one.
+    #[must_use]
+    pub fn becomes(mut self, symbol: impl Into<Cow<'static, str>>, of: Traced) -> Self {
+        self.value = of.value();
+        self.derivation = self.derivation.then(Formula::new(symbol, of, self.unit));
+        self
+    }
+
+    /// The value as a symbol of a further formula: that of its last formula.
+    pub fn traced(&self) -> Traced {
+        let symbol = self.derivation.formulas().last().map_or("".into(), |f| f.symbol.clone());
+        Traced::symbol(symbol, self.value, self.unit)
+    }
+
+    /// The derivation as text.
+    pub fn formula(&self) -> String {
+        self.derivation.text()
     }
 
     /// The intermediate value with a symbol.
@@ -64,7 +99,7 @@ impl Worked {
             subject: subject.into(),
             clause: self.clause.into(),
             title: self.title.into(),
-            formula: self.formula,
+            derivation: self.derivation,
             values: self.steps,
             demand: None,
             resistance: Some(self.value).filter(|value| value.is_finite()),
@@ -106,7 +141,11 @@ mod tests {
     #[test]
     fn a_resistance_becomes_a_check() {
         let worked = || {
-            Worked::new("3.6.1", "tension", 90e3, Unit::Force, "F").with("k2", 0.9, Unit::Number)
+            Worked::of("3.6.1", "tension", "F", Traced::from(90e3), Unit::Force).with(
+                "k2",
+                0.9,
+                Unit::Number,
+            )
         };
         let check = worked().against(Topic::Bolts, "row 1", 99e3, Status::Failed);
         assert_eq!((check.status, check.utilisation), (Status::Failed, Some(1.1)));
@@ -118,7 +157,8 @@ mod tests {
             worked().against(Topic::Bolts, "row 1", 99e3, Status::Warning).status,
             Status::Warning
         );
-        let share = |value| Worked::new("6.2.7.1", "moment", value, Unit::Number, "M");
+        let share =
+            |value: f64| Worked::of("6.2.7.1", "moment", "M", Traced::from(value), Unit::Number);
         assert_eq!(
             share(0.9).utilised(Topic::Bolts, "row 1", Status::Failed).utilisation,
             Some(0.9)

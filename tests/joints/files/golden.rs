@@ -3,6 +3,7 @@
 //! After an intended change, run this and read the difference:
 //! `BRACKET_UPDATE_GOLDEN=1 cargo test --release --test joints golden`.
 
+use bracket::checks::formula::Traced;
 use bracket::checks::{Check, Judgement, Status, Topic, Unit, Worked};
 use bracket::model::AnalysisKind;
 use bracket::report::markdown::compose::report_markdown;
@@ -114,36 +115,24 @@ fn case(name: &str) -> CaseResult {
 fn checks() -> Vec<Check> {
     let table = |title| ("EN 1993-1-8:2005 Table 3.3", title);
     let plate = (Topic::Detailing, "end plate");
-    let formula = "F_t,Rd = k2 f_ub A_s / γ_M2 = 0.9 · 800 · 192 / 1.25";
-    let tension = Worked::new(
+    let (f_ub, a_s) = (Traced::stress("f_ub", 800.0), Traced::area("A_s", 192.0));
+    let force = Traced::number("k2", 0.9) * f_ub * a_s / Traced::number("γ_M2", 1.25);
+    let tension = Worked::of(
         "EN 1993-1-8:2005 Table 3.4",
         "tension resistance of a bolt",
-        110_592.0,
+        "F_t,Rd",
+        force,
         Unit::Force,
-        formula,
     );
+    let d0 = |factor: f64| Traced::from(factor) * Traced::length("d0", 20.0);
     vec![
-        Check::at_least(
-            plate,
-            table("edge distance"),
-            "e2",
-            (24.0, "1.2 d0 = 1.2 · 20"),
-            22.0,
-            Status::Failed,
-        ),
-        Check::at_least(
-            plate,
-            table("pitch of the rows"),
-            "p1",
-            (44.0, "2.2 d0 = 2.2 · 20"),
-            90.0,
-            Status::Failed,
-        ),
+        Check::at_least(plate, table("edge distance"), "e2", d0(1.2), 22.0, Status::Failed),
+        Check::at_least(plate, table("pitch of the rows"), "p1", d0(2.2), 90.0, Status::Failed),
         Check::at_most(
             plate,
             table("exposed steel"),
             "p1",
-            (200.0, "min(14 t, 200 mm)"),
+            Traced::from(200.0),
             235.0,
             Status::Warning,
         ),

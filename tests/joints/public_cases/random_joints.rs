@@ -1,5 +1,6 @@
 //! Random joints: every result is a number or a named fault, and rounding changes no verdict.
 
+use super::printed_formulas::Compared;
 use crate::numbers::Numbers;
 use bracket::assembly;
 use bracket::catalog::{Catalog, IProfile};
@@ -143,7 +144,7 @@ fn every_result_is_a_number_or_a_named_fault() {
     let columns = profiles(&catalog, &["HEA", "HEB", "HEM", "UC", "IPE", "W"], [140.0, 700.0]);
     let beams = profiles(&catalog, &["IPE", "UB", "HEA", "HEB", "W"], [200.0, 700.0]);
     let mut n = Numbers(31);
-    let (mut joints, mut seen) = (0, [0usize; 3]);
+    let (mut joints, mut seen, mut printed) = (0, [0usize; 3], Compared::default());
     for _ in 0..20 * TRIED {
         if joints == TRIED {
             break;
@@ -177,13 +178,16 @@ fn every_result_is_a_number_or_a_named_fault() {
             let information = matches!(c.status, Status::Information | Status::Warning);
             let fault = matches!(c.status, Status::Failed | Status::Undecided);
             assert!(!without || information || fault, "{c:?}: {text}");
-            assert!(!information || !c.formula.contains("NaN"), "{c:?}: {text}");
+            assert!(!information || !c.formula().contains("NaN"), "{c:?}: {text}");
+            printed.check(c, &text);
         }
         let at = [Verdict::Ok, Verdict::NotOk, Verdict::Undecided].iter();
         seen[at.clone().position(|v| *v == result.verdict).expect("a verdict")] += 1;
     }
-    println!("{joints} joints, OK, NOT OK, UNDECIDED: {seen:?}");
+    let clauses = printed.clauses.len();
+    println!("{joints} joints, OK, NOT OK, UNDECIDED: {seen:?}; {clauses} formulas compared");
     assert_eq!(joints, TRIED);
+    assert!(clauses > 60, "{:#?}", printed.clauses);
     assert!(seen.iter().all(|s| *s > 0), "{seen:?}");
 }
 

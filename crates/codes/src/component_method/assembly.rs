@@ -4,11 +4,12 @@ use super::column_web::{self, ShearPanel};
 use super::compressed_zone::CompressedZone;
 use super::joint::EndPlateJoint;
 use super::rows::{Component, Rows};
+use super::stability::{Stability, stability};
 use super::t_stub::Mode;
 use super::{MOMENT_RESISTANCE, beam, stiffness};
-use crate::check::{Unit, number, within};
+use crate::check::{Unit, within};
 use crate::error::CheckError;
-use crate::eurocode::section::{Class, epsilon};
+use crate::formula::{Formula, Style, Traced};
 use crate::worked::Worked;
 use bracket_joint::assembly::Way;
 
@@ -88,21 +89,6 @@ pub struct Limit {
     pub of: Summed,
     /// Its resistance \[N\].
     pub worked: Worked,
-}
-
-/// A component whose resistance, or whose coverage by the code, depends on buckling.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Stability {
-    /// The component that may buckle, with its slenderness and the limit that it exceeds.
-    pub why: String,
-    /// Clause.
-    pub clause: &'static str,
-    /// True: the resistance of the component contains the reduction, so the component method covers
-    /// it. False: the code gives no design resistance, and the component method alone cannot
-    /// conclude OK.
-    pub covered: bool,
-    /// What would remove the doubt.
-    pub step: &'static str,
 }
 
 /// Resistance and stiffness of a joint for one sense of bending.
@@ -271,14 +257,10 @@ impl Least {
 
 /// M_j,Rd.
 fn moment(rows: &[RowForce]) -> Worked {
-    let value = rows.iter().map(|r| r.lever * r.force).sum();
-    let terms: Vec<String> = rows
-        .iter()
-        .filter(|r| r.force > 0.0)
-        .map(|r| format!("{} · {}", Unit::Force.show(r.force), Unit::Length.show(r.lever)))
-        .collect();
-    let formula = format!("M_j,Rd = Σ h_r F_tr,Rd = {}", terms.join(" + "));
-    Worked::new("EN 1993-1-8:2005 6.2.7.2(1)", MOMENT_RESISTANCE, value, Unit::Moment, formula)
+    let of = |r: &RowForce| Traced::length("h_r", r.lever) * Traced::force("F_tr,Rd", r.force);
+    let value = Traced::series(rows.iter().filter(|r| r.force > 0.0).map(of));
+    let (clause, title) = ("EN 1993-1-8:2005 6.2.7.2(1)", MOMENT_RESISTANCE);
+    Worked::of(clause, title, "M_j,Rd", value, Unit::Moment)
 }
 
 /// The column web panel; `None` without a column.
@@ -315,10 +297,15 @@ fn panel_stiffeners(joint: &EndPlateJoint) -> Option<[f64; 3]> {
 /// The resistance of the panel with the numbers of the part that stiffeners add.
 fn with_stiffeners(worked: Worked, joint: &EndPlateJoint) -> Worked {
     match panel_stiffeners(joint) {
-        Some([flange, stiffener, distance]) => worked
-            .with("M_pl,fc,Rd", flange, Unit::Moment)
-            .with("M_pl,st,Rd", stiffener, Unit::Moment)
-            .with("d_s", distance, Unit::Length),
+        Some(numbers) => {
+            let symbols = ["M_pl,fc,Rd", "M_pl,st,Rd", "d_s"];
+            let units = [Unit::Moment, Unit::Moment, Unit::Length];
+            let all = [0, 1, 2].map(|i| Traced::symbol(symbols[i], numbers[i], units[i]));
+            let worked = worked.with_symbols(all.each_ref());
+            let [flange, stiffener, distance] = all;
+            let added = column_web::stiffened_panel(flange, stiffener, distance);
+            worked.after(Formula::new("V_wp,add,Rd", added, Unit::Force))
+        }
         None => worked,
     }
 }
@@ -341,91 +328,11 @@ fn limits(
     if let Some(panel) = panel {
         let mut worked = panel.clone();
         if joint.beta != 1.0 {
-            worked.value /= joint.beta;
-            worked.formula +=
-                &format!("; over β = {}: {}", number(joint.beta), Unit::Force.show(worked.value));
+            let each = worked.traced() / Traced::number("β", joint.beta);
+            let symbol = each.term().print(Style::Symbols);
+            worked = worked.becomes(symbol, each);
         }
         out.push(Limit { of: Summed::Panel, worked });
-    }
-    out
-}
-
-/// What keeps a column web from buckling under a flange.
-const STIFFER_WEB: &str = "a column with a thicker web, or thicker stiffeners";
-
-/// The components that may buckle before they yield.
-fn stability(joint: &EndPlateJoint, rows: &Rows<'_>, panel: Option<&ShearPanel>) -> Vec<Stability> {
-    let mut out = Vec::new();
-    if let Some(c) = &joint.column {
-        let zone = CompressedZone::new(joint, c, Way::Down, rows.shear_area());
-        let web = zone.web;
-        let rho = web.buckling();
-        if c.stiffener == 0.0 && rho < 1.0 {
-            let why = format!(
-                "the column web buckles under the compressed flange: λ̄_p = {} > 0.72, ρ = {}",
-                number(web.slenderness()),
-                number(rho)
-            );
-            out.push(Stability {
-                why,
-                clause: "EN 1993-1-8:2005 6.2.6.2",
-                covered: true,
-                step: STIFFER_WEB,
-            });
-        }
-        let of_cross = zone.resistance();
-        if let Some(chi) = of_cross.step("χ").filter(|chi| *chi < 1.0) {
-            let why = format!(
-                "the stiffened column web buckles under the compressed flange: χ = {}",
-                number(chi)
-            );
-            out.push(Stability {
-                why,
-                clause: "EN 1993-1-8:2005 6.2.6.2(4)",
-                covered: true,
-                step: STIFFER_WEB,
-            });
-        }
-        let outstand = 0.5 * (c.section.b - c.section.tw);
-        let limit = column_web::STIFFENER_SLENDERNESS * epsilon(c.fy);
-        if c.stiffener > 0.0 && !within(outstand, limit * c.stiffener) {
-            let ratio = number(outstand / c.stiffener);
-            let why = format!(
-                "the stiffeners of the column buckle about their weld: c/t_s = {ratio} > 13 ε = {}",
-                number(limit)
-            );
-            out.push(Stability {
-                why,
-                clause: "EN 1993-1-5:2006 9.2.1(8)",
-                covered: false,
-                step: "thicker stiffeners",
-            });
-        }
-        if let Some(panel) = panel.filter(|p| p.slender()) {
-            let (slenderness, limit) = panel.slenderness();
-            let why = format!(
-                "the column web panel is too slender in shear: d_c/t_w = {} > 69 ε = {}",
-                number(slenderness),
-                number(limit)
-            );
-            out.push(Stability {
-                why,
-                clause: "EN 1993-1-8:2005 6.2.6.1(1)",
-                covered: false,
-                step: "a web doubler or a column with a thicker web",
-            });
-        }
-    }
-    if beam::class(&joint.beam.section, joint.beam.fy) == Class::Slender {
-        let why = "the beam is of class 4 in bending: its compressed flange or web buckles before \
-                   it yields"
-            .into();
-        out.push(Stability {
-            why,
-            clause: "EN 1993-1-1:2005 5.5.2",
-            covered: false,
-            step: "a beam of class 1 to 3",
-        });
     }
     out
 }

@@ -1,10 +1,11 @@
 //! The beam: flange and web in compression, web in tension. EN 1993-1-8:2005 6.2.6.7 and 6.2.6.8.
 
-use crate::check::{Unit, number as n, within};
+use crate::check::{Unit, within};
 use crate::eurocode::i_section::Section;
 use crate::eurocode::section::{
-    Class, Slenderness, epsilon, plastic_shear, reduced_modulus, shear_reduction,
+    Class, Slenderness, epsilon, modulus_beside_shear, plastic_shear, shear_reduction,
 };
+use crate::formula::{Number, Traced};
 use crate::worked::Worked;
 
 /// Depth of a beam above which its web may contribute at most a fifth of the compression \[mm\],
@@ -44,45 +45,33 @@ pub fn bending_6_2_8(beam: &Section, fy: f64, shear: f64, gamma_m0: f64) -> Work
         Class::Slender => fy * (14.0 / flange).powi(2).min((124.0 / web).powi(2)).min(1.0),
         _ => fy,
     };
-    let (symbol, modulus) =
-        if class == Class::Plastic { ("W_pl", beam.w_pl) } else { ("W_el", beam.w_el) };
-    let whole = modulus * stress / gamma_m0;
-    let strength = if class == Class::Slender { "σ" } else { "f_y" };
-    let mut formula = format!(
-        "M_c,Rd = {symbol} {strength}/γ_M0 = {} · {}/{}",
-        n(modulus),
-        n(stress),
-        n(gamma_m0)
-    );
+    let modulus = match class {
+        Class::Plastic => Traced::number("W_pl", beam.w_pl),
+        Class::Elastic | Class::Slender => Traced::number("W_el", beam.w_el),
+    };
+    let strength = Traced::stress(if class == Class::Slender { "σ" } else { "f_y" }, stress);
+    let gamma = Traced::number("γ_M0", gamma_m0);
     let ratio = shear / plastic_shear(beam.shear_area(), fy, gamma_m0);
-    let mut value = whole;
-    if ratio > 0.5 {
-        let rho = shear_reduction(ratio).min(1.0);
-        value = match class {
-            Class::Plastic => {
-                formula = format!(
-                    "M_V,Rd = (W_pl − ρ A_w²/(4 t_w)) f_y/γ_M0 = ({} − {} · {}²/(4 · {})) · {}/{}",
-                    n(modulus),
-                    n(rho),
-                    n(beam.web_depth() * beam.tw),
-                    n(beam.tw),
-                    n(fy),
-                    n(gamma_m0)
-                );
-                (reduced_modulus(beam, rho) * fy / gamma_m0).clamp(0.0, whole)
-            }
-            Class::Elastic | Class::Slender => {
-                formula += &format!(" · (1 − ρ = {})", n(1.0 - rho));
-                whole * (1.0 - rho)
-            }
-        };
-    }
-    let mut worked = Worked::new(
+    let rho = Traced::number("ρ", shear_reduction(ratio).min(1.0));
+    let (symbol, moment) = match class {
+        Class::Plastic if ratio > 0.5 => {
+            let web = Traced::area("A_w", beam.web_depth() * beam.tw);
+            let modulus = modulus_beside_shear(modulus, rho, web, Traced::length("t_w", beam.tw));
+            let left = modulus * strength / gamma;
+            // a web that is more than the section leaves nothing
+            ("M_V,Rd", if left.value() < 0.0 { left.max(Traced::from(0.0)) } else { left })
+        }
+        Class::Elastic | Class::Slender if ratio > 0.5 => {
+            ("M_c,Rd", modulus * strength / gamma * (Traced::from(1.0) - rho))
+        }
+        _ => ("M_c,Rd", modulus * strength / gamma),
+    };
+    let mut worked = Worked::of(
         "EN 1993-1-1:2005 6.2.5",
         "moment resistance of the beam",
-        value,
+        symbol,
+        moment,
         Unit::Moment,
-        formula,
     )
     .with("c/(t ε) of the flange", flange, Unit::Number)
     .with("c/(t ε) of the web", web, Unit::Number);
@@ -100,31 +89,18 @@ pub fn bending_6_2_8(beam: &Section, fy: f64, shear: f64, gamma_m0: f64) -> Work
 /// # Source
 /// EN 1993-1-8:2005 6.2.6.7(1), formula 6.21.
 pub fn flange_compression(beam: &Section, moment: f64, fy: f64, gamma_m0: f64) -> Worked {
+    let (h, tf) = (Traced::length("h", beam.h), Traced::length("t_fb", beam.tf));
     let lever = beam.h - beam.tf;
-    let whole = moment / lever;
-    let limit = if !within(beam.h, DEEP) {
-        beam.b * beam.tf * fy / (0.8 * gamma_m0)
-    } else {
-        f64::INFINITY
-    };
-    let formula = if limit < whole {
-        format!(
-            "F_c,fb,Rd = b t_f f_y/(0.8 γ_M0) = {} · {} · {}/(0.8 · {})",
-            n(beam.b),
-            n(beam.tf),
-            n(fy),
-            n(gamma_m0)
-        )
-    } else {
-        format!(
-            "F_c,fb,Rd = M_c,Rd/(h − t_fb) = {}/({} − {})",
-            Unit::Moment.show(moment),
-            n(beam.h),
-            n(beam.tf)
-        )
-    };
+    let mut force = Traced::symbol("M_c,Rd", moment, Unit::Moment) / (h - tf.clone());
+    if !within(beam.h, DEEP) {
+        let limit = Traced::length("b", beam.b) * tf * Traced::stress("f_y", fy)
+            / (Traced::from(0.8) * Traced::number("γ_M0", gamma_m0));
+        if limit.value() < force.value() {
+            force = limit;
+        }
+    }
     let title = "beam flange and web in compression";
-    Worked::new("EN 1993-1-8:2005 6.2.6.7", title, whole.min(limit), Unit::Force, formula)
+    Worked::of("EN 1993-1-8:2005 6.2.6.7", title, "F_c,fb,Rd", force, Unit::Force)
         .with("M_c,Rd", moment, Unit::Moment)
         .with("h − t_fb", lever, Unit::Length)
 }
@@ -137,15 +113,12 @@ pub fn flange_compression(beam: &Section, moment: f64, fy: f64, gamma_m0: f64) -
 /// # Source
 /// EN 1993-1-8:2005 6.2.6.8(1), formula 6.22.
 pub fn web_tension(effective_width: f64, web: f64, fy: f64, gamma_m0: f64) -> Worked {
-    let value = effective_width * web * fy / gamma_m0;
-    let formula = format!(
-        "F_t,wb,Rd = b_eff t_wb f_y/γ_M0 = {} · {} · {}/{}",
-        n(effective_width),
-        n(web),
-        n(fy),
-        n(gamma_m0)
-    );
-    Worked::new("EN 1993-1-8:2005 6.2.6.8", "beam web in tension", value, Unit::Force, formula)
+    let value = Traced::length("b_eff", effective_width)
+        * Traced::length("t_wb", web)
+        * Traced::stress("f_y", fy)
+        / Traced::number("γ_M0", gamma_m0);
+    let title = "beam web in tension";
+    Worked::of("EN 1993-1-8:2005 6.2.6.8", title, "F_t,wb,Rd", value, Unit::Force)
         .with("b_eff", effective_width, Unit::Length)
         .with("t_w", web, Unit::Length)
         .with("f_y", fy, Unit::Stress)

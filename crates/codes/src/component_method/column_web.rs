@@ -1,15 +1,24 @@
 //! The column web in tension, compression and shear: EN 1993-1-8:2005 6.2.6.1 to 6.2.6.3.
 
 use super::joint::Column;
-use crate::check::{Unit, number as n, within};
+use crate::check::{Unit, within};
 use crate::eurocode::section::{epsilon, shear_buckling};
+use crate::formula::{Derivation, Formula, Line, Number, Relation, Traced};
 use crate::worked::Worked;
 
 /// Greatest slenderness d/(t_w ε) of a web panel whose shear resistance is plastic, 6.2.6.1(1).
-const SHEAR_SLENDERNESS: f64 = 69.0;
+pub(super) const SHEAR_SLENDERNESS: f64 = 69.0;
 /// Greatest c/(t_s ε) of a flat stiffener that does not buckle about its weld, EN 1993-1-5:2006
 /// 9.2.1(8): I_T/I_p ≥ 5.3 f_y/E.
 pub const STIFFENER_SLENDERNESS: f64 = 13.0;
+/// Plate slenderness λ̄_p up to which a web in compression does not buckle, 6.2.6.2(1).
+const STOCKY: f64 = 0.72;
+
+/// A slenderness that exceeds its limit, as a part of a derivation.
+pub(super) fn exceeds(symbol: &'static str, value: f64, limit: Traced) -> Line {
+    let (symbol, limit) = (symbol.into(), Formula::new("", limit, Unit::Number));
+    Line::Comparison { symbol, value, relation: Relation::Above, limit }
+}
 
 /// Reduction ω of the web for its interaction with shear in the panel.
 ///
@@ -85,38 +94,30 @@ impl ShearPanel {
     /// EN 1993-1-8:2005 6.2.6.1(1) to (4), formula 6.7; EN 1993-1-5:2006 5.2 and 5.3, Table 5.1
     /// (non-rigid end posts, η = 1).
     pub fn resistance(&self) -> Worked {
-        let root3 = 3f64.sqrt();
-        let plastic = 0.9 * self.fy * self.area / (root3 * self.gamma_m0) + self.stiffeners;
+        let root3 = || Traced::from(3.0).sqrt();
+        let f_y = || Traced::stress("f_y", self.fy);
+        let area = Traced::area("A_vc", self.area);
+        let gamma = Traced::number("γ_M0", self.gamma_m0);
+        let mut force = Traced::from(0.9) * f_y() * area / (root3() * gamma);
+        if self.stiffeners > 0.0 {
+            force = force + Traced::force("V_wp,add,Rd", self.stiffeners);
+        }
         let (slenderness, limit) = self.slenderness();
         let title = "column web panel in shear";
-        let stiffeners = if self.stiffeners > 0.0 { " + V_wp,add,Rd" } else { "" };
-        let mut formula = format!(
-            "V_wp,Rd = 0.9 f_y A_vc/(√3 γ_M0){stiffeners} = 0.9 · {} · {}/(√3 · {})",
-            n(self.fy),
-            n(self.area),
-            n(self.gamma_m0)
-        );
-        if self.stiffeners > 0.0 {
-            formula += &format!(" + {}", Unit::Force.show(self.stiffeners));
-        }
-        let (mut clause, mut value) = ("EN 1993-1-8:2005 6.2.6.1", plastic);
+        let (mut clause, mut symbol) = ("EN 1993-1-8:2005 6.2.6.1", "V_wp,Rd");
         if self.slender() {
             let (_, chi) = shear_buckling(self.web_depth, self.web, self.fy);
-            let buckling =
-                0.9 * chi * self.web_depth * self.web * self.fy / (root3 * self.gamma_m1);
-            if buckling < plastic {
-                (clause, value) = ("EN 1993-1-5:2006 5.2", buckling);
-                formula = format!(
-                    "V_wp ≤ 0.9 χ_w h_w t_w f_y/(√3 γ_M1) = 0.9 · {} · {} · {} · {}/(√3 · {})",
-                    n(chi),
-                    n(self.web_depth),
-                    n(self.web),
-                    n(self.fy),
-                    n(self.gamma_m1)
-                );
+            let buckling = Traced::from(0.9)
+                * Traced::number("χ_w", chi)
+                * Traced::length("h_w", self.web_depth)
+                * Traced::length("t_w", self.web)
+                * f_y()
+                / (root3() * Traced::number("γ_M1", self.gamma_m1));
+            if buckling.value() < force.value() {
+                (clause, symbol, force) = ("EN 1993-1-5:2006 5.2", "V_wp,max", buckling);
             }
         }
-        let mut worked = Worked::new(clause, title, value, Unit::Force, formula).with(
+        let mut worked = Worked::of(clause, title, symbol, force, Unit::Force).with(
             "A_vc",
             self.area,
             Unit::Area,
@@ -136,8 +137,10 @@ impl ShearPanel {
 ///
 /// # Source
 /// EN 1993-1-8:2005 6.2.6.1(4), formula 6.8.
-pub fn stiffened_panel(flange: f64, stiffener: f64, distance: f64) -> f64 {
-    (4.0 * flange).min(2.0 * flange + 2.0 * stiffener) / distance
+pub fn stiffened_panel<N: Number>(flange: N, stiffener: N, distance: N) -> N {
+    let number = N::from;
+    let both = number(2.0) * flange.clone() + number(2.0) * stiffener;
+    (number(4.0) * flange).min(both) / distance
 }
 
 /// Design resistance of the web in tension \[N\]; `effective_width` is ℓ_eff of the T-stub of the
@@ -148,20 +151,25 @@ pub fn stiffened_panel(flange: f64, stiffener: f64, distance: f64) -> f64 {
 /// # Source
 /// EN 1993-1-8:2005 6.2.6.3(1) to (3), formula 6.15.
 pub fn tension(effective_width: f64, web: f64, fy: f64, omega: f64, gamma_m0: f64) -> Worked {
-    let value = omega * effective_width * web * fy / gamma_m0;
-    let formula = format!(
-        "F_t,wc,Rd = ω b_eff t_wc f_y/γ_M0 = {} · {} · {} · {}/{}",
-        n(omega),
-        n(effective_width),
-        n(web),
-        n(fy),
-        n(gamma_m0)
-    );
-    Worked::new("EN 1993-1-8:2005 6.2.6.3", "column web in tension", value, Unit::Force, formula)
+    let value = Traced::number("ω", omega)
+        * Traced::length("b_eff", effective_width)
+        * Traced::length("t_wc", web)
+        * Traced::stress("f_y", fy)
+        / Traced::number("γ_M0", gamma_m0);
+    let title = "column web in tension";
+    Worked::of("EN 1993-1-8:2005 6.2.6.3", title, "F_t,wc,Rd", value, Unit::Force)
         .with("ω", omega, Unit::Number)
         .with("b_eff", effective_width, Unit::Length)
         .with("t_w", web, Unit::Length)
         .with("f_y", fy, Unit::Stress)
+}
+
+/// ρ of a plate beyond λ̄_p = 0.72: `(λ̄_p − 0.2)/λ̄_p²`.
+///
+/// # Source
+/// EN 1993-1-8:2005 6.2.6.2(1), formula 6.13b.
+fn plate_buckling<N: Number>(slenderness: N) -> N {
+    (slenderness.clone() - N::from(0.2)) / (slenderness.clone() * slenderness)
 }
 
 /// A web in transverse compression. Lengths in mm, strengths in MPa.
@@ -205,7 +213,15 @@ impl CompressedWeb {
     /// EN 1993-1-8:2005 6.2.6.2(1), formulas 6.13a and 6.13b.
     pub fn buckling(&self) -> f64 {
         let lambda = self.slenderness();
-        if lambda <= 0.72 { 1.0 } else { (lambda - 0.2) / (lambda * lambda) }
+        if lambda <= STOCKY { 1.0 } else { plate_buckling(lambda) }
+    }
+
+    /// The reason `words` why a web buckles, with its slenderness and its reduction ρ < 1.
+    pub(super) fn buckles(&self, words: &str) -> Derivation {
+        let slenderness = self.slenderness();
+        let rho = plate_buckling(Traced::number("λ̄_p", slenderness));
+        let rho = Formula::new("ρ", rho, Unit::Number);
+        Derivation::from(words).then(exceeds("λ̄_p", slenderness, STOCKY.into())).then(rho)
     }
 
     /// Reduction k_wc for the longitudinal stress: 1 up to 0.7 f_y, then 1.7 − σ_com/f_y.
@@ -224,35 +240,28 @@ impl CompressedWeb {
     /// EN 1993-1-8:2005 6.2.6.2(1), formula 6.9.
     pub fn resistance(&self) -> Worked {
         let (rho, kwc) = (self.buckling(), self.longitudinal_factor());
-        let crush = self.omega * kwc * self.effective_width * self.web * self.fy / self.gamma_m0;
-        let buckle =
-            self.omega * kwc * rho * self.effective_width * self.web * self.fy / self.gamma_m1;
-        let numbers = |extra: &str, gamma: f64| {
-            format!(
-                "{} · {} · {extra}{} · {} · {}/{}",
-                n(self.omega),
-                n(kwc),
-                n(self.effective_width),
-                n(self.web),
-                n(self.fy),
-                n(gamma)
-            )
-        };
-        let formula = if buckle < crush {
-            format!(
-                "F_c,wc,Rd = ω k_wc ρ b_eff t_wc f_y/γ_M1 = {}",
-                numbers(&format!("{} · ", n(rho)), self.gamma_m1)
-            )
-        } else {
-            format!("F_c,wc,Rd = ω k_wc b_eff t_wc f_y/γ_M0 = {}", numbers("", self.gamma_m0))
-        };
+        let [crush, buckle]: [f64; 2] = [self.force(None), self.force(Some(rho))];
+        let force: Traced = self.force((buckle < crush).then_some(rho));
         let title = "column web in compression";
-        Worked::new("EN 1993-1-8:2005 6.2.6.2", title, crush.min(buckle), Unit::Force, formula)
+        Worked::of("EN 1993-1-8:2005 6.2.6.2", title, "F_c,wc,Rd", force, Unit::Force)
             .with("b_eff", self.effective_width, Unit::Length)
             .with("λ̄_p", self.slenderness(), Unit::Number)
             .with("ρ", rho, Unit::Number)
             .with("k_wc", kwc, Unit::Number)
             .with("ω", self.omega, Unit::Number)
+    }
+
+    /// Resistance of the web that yields, with a reduction ρ of the web that buckles \[N\].
+    fn force<N: Number>(&self, rho: Option<f64>) -> N {
+        let number = |name, value| N::symbol(name, value, Unit::Number);
+        let factors = number("ω", self.omega) * number("k_wc", self.longitudinal_factor());
+        let (factors, gamma) = match rho {
+            Some(rho) => (factors * number("ρ", rho), number("γ_M1", self.gamma_m1)),
+            None => (factors, number("γ_M0", self.gamma_m0)),
+        };
+        let width = N::symbol("b_eff", self.effective_width, Unit::Length);
+        let web = N::symbol("t_wc", self.web, Unit::Length);
+        factors * width * web * N::symbol("f_y", self.fy, Unit::Stress) / gamma
     }
 }
 

@@ -3,8 +3,9 @@
 
 use super::column_web::{CompressedWeb, compressed_thickness, shear_interaction};
 use super::joint::{Column, EndPlateJoint};
-use crate::check::{Unit, number as n, within};
+use crate::check::{Unit, within};
 use crate::eurocode::section::epsilon;
+use crate::formula::Traced;
 use crate::worked::Worked;
 use bracket_joint::assembly::Way;
 use std::f64::consts::{PI, SQRT_2};
@@ -128,20 +129,19 @@ impl CompressedWeb {
         } else {
             (1.0 / (phi + (phi * phi - slenderness * slenderness).sqrt())).min(1.0)
         };
-        let gamma = if stocky { self.gamma_m0 } else { self.gamma_m1 };
-        let formula = format!(
-            "F_c,wc,Rd = χ A_eff f_y/γ = {} · {} · {}/{}",
-            n(chi),
-            n(area),
-            n(self.fy),
-            n(gamma)
-        );
-        Worked::new(
+        let gamma = match stocky {
+            true => Traced::number("γ_M0", self.gamma_m0),
+            false => Traced::number("γ_M1", self.gamma_m1),
+        };
+        let force =
+            Traced::number("χ", chi) * Traced::area("A_eff", area) * Traced::stress("f_y", self.fy)
+                / gamma;
+        Worked::of(
             "EN 1993-1-8:2005 6.2.6.2(4), EN 1993-1-5:2006 9.4",
             "stiffened column web in compression",
-            chi * area * self.fy / gamma,
+            "F_c,wc,Rd",
+            force,
             Unit::Force,
-            formula,
         )
         .with("A_eff", area, Unit::Area)
         .with("web beside the stiffeners", beside, Unit::Length)

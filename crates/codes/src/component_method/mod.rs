@@ -8,6 +8,7 @@ pub mod effective_lengths;
 pub mod equilibrium;
 pub mod joint;
 pub mod rows;
+pub mod stability;
 pub mod stiffness;
 pub mod t_stub;
 
@@ -18,9 +19,10 @@ pub const INITIAL_STIFFNESS: &str = "initial rotational stiffness";
 /// Title of the check with S_j,ini/η.
 pub const ELASTIC_STIFFNESS: &str = "rotational stiffness for elastic analysis";
 
-pub use assembly::{Assessment, Stability, Summed, assess};
+pub use assembly::{Assessment, Summed, assess};
 pub use equilibrium::Equilibrium;
 pub use joint::EndPlateJoint;
+pub use stability::Stability;
 
 #[cfg(test)]
 mod reference_cases;

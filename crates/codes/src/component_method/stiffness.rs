@@ -4,8 +4,9 @@ use super::compressed_zone::CompressedZone;
 use super::joint::EndPlateJoint;
 use super::rows::Rows;
 use super::{ELASTIC_STIFFNESS, INITIAL_STIFFNESS, column_web};
-use crate::check::{Unit, number as n};
+use crate::check::Unit;
 use crate::error::CheckError;
+use crate::formula::{Formula, Number, Traced};
 use crate::worked::Worked;
 use bracket_joint::assembly::Way;
 
@@ -114,35 +115,22 @@ pub fn initial(joint: &EndPlateJoint, rows: &Rows<'_>) -> Result<Stiffness, Chec
         let web = CompressedZone::new(joint, c, Way::Down, rows.shear_area()).web;
         web_across(web.effective_width, web.web, web.clear_depth)
     });
-    let flexibility: f64 =
-        panel.into_iter().chain(compression).chain([equivalent]).map(|k| 1.0 / k).sum();
-    let value = joint.young * lever * lever / flexibility;
-    let terms: Vec<String> = panel
+    let terms = [("k1", panel), ("k2", compression), ("k_eq", Some(equivalent))];
+    let flexibility = terms
         .into_iter()
-        .chain(compression)
-        .chain([equivalent])
-        .map(|k| format!("1/{}", n(k)))
-        .collect();
+        .filter_map(|(symbol, k)| Some(Traced::from(1.0) / Traced::length(symbol, k?)));
+    let flexibility = flexibility.reduce(|sum, k| sum + k).unwrap_or(0.0.into());
+    let z = Traced::length("z_eq", lever);
+    let value = Traced::stress("E", joint.young) * z.clone() * z / flexibility;
     // Table 6.11 has k1 = ∞ for a stiffened panel; with transverse stiffeners alone the panel still
     // deforms in shear
     let kept = panel.is_some() && c.is_some_and(|c| c.stiffener > 0.0);
-    let formula = format!(
-        "{}S_j,ini = E z²/Σ(1/k) = {} · {}²/({})",
-        if kept { "k1 kept finite beside transverse stiffeners, " } else { "" },
-        n(joint.young),
-        n(lever),
-        terms.join(" + ")
-    );
-    let mut worked = Worked::new(
-        "EN 1993-1-8:2005 6.3.1(4)",
-        INITIAL_STIFFNESS,
-        value,
-        Unit::Rotational,
-        formula,
-    );
-    for (symbol, k) in
-        [("k1", panel), ("k2", compression), ("k_eq", Some(equivalent)), ("z_eq", Some(lever))]
-    {
+    let (clause, unit) = ("EN 1993-1-8:2005 6.3.1(4)", Unit::Rotational);
+    let mut worked = Worked::of(clause, INITIAL_STIFFNESS, "S_j,ini", value, unit);
+    if kept {
+        worked = worked.after("k1 kept finite beside transverse stiffeners");
+    }
+    for (symbol, k) in terms.into_iter().chain([("z_eq", Some(lever))]) {
         if let Some(k) = k {
             worked = worked.with(symbol, k, Unit::Length);
         }
@@ -157,15 +145,19 @@ pub fn initial(joint: &EndPlateJoint, rows: &Rows<'_>) -> Result<Stiffness, Chec
 /// # Source
 /// EN 1993-1-8:2005 6.3.1(4) and (6), formula 6.28, Table 6.8.
 pub fn at_moment(initial: f64, demand: f64, resistance: f64) -> Worked {
-    let ratio = if demand == 0.0 { 0.0 } else { demand.abs() / resistance };
-    let mu = if ratio <= 2.0 / 3.0 { 1.0 } else { (1.5 * ratio).powf(PSI) };
-    let formula = format!("S_j = S_j,ini/μ = {}/{}", Unit::Rotational.show(initial), n(mu));
-    let title = "rotational stiffness under the moment";
-    Worked::new("EN 1993-1-8:2005 6.3.1(6)", title, initial / mu, Unit::Rotational, formula).with(
-        "μ",
-        mu,
-        Unit::Number,
-    )
+    let initial = Traced::symbol("S_j,ini", initial, Unit::Rotational);
+    let moment = |symbol, value: f64| Traced::symbol(symbol, value, Unit::Moment);
+    let ratio = match demand == 0.0 {
+        true => Traced::from(0.0),
+        false => moment("M_j,Ed", demand.abs()) / moment("M_j,Rd", resistance),
+    };
+    let elastic = ratio.value() <= 2.0 / 3.0;
+    let mu = if elastic { 1.0.into() } else { (Traced::from(1.5) * ratio).powf(PSI.into()) };
+    let mu = mu.named("μ", Unit::Number);
+    let (clause, title) = ("EN 1993-1-8:2005 6.3.1(6)", "rotational stiffness under the moment");
+    let worked = Worked::of(clause, title, "S_j", initial / mu.clone(), Unit::Rotational);
+    let worked = worked.with("μ", mu.value(), Unit::Number);
+    if elastic { worked } else { worked.after(Formula::new("μ", mu, Unit::Number)) }
 }
 
 /// Members that a connection joins, for the factor η of elastic analysis.
@@ -187,7 +179,8 @@ pub fn for_elastic_analysis(initial: f64, joins: Joins) -> Worked {
         Joins::BeamToColumn => 2.0,
         Joins::Other => 3.0,
     };
-    let formula = format!("S_j,ini/η = {}/{}", Unit::Rotational.show(initial), n(eta));
-    let value = initial / eta;
-    Worked::new("EN 1993-1-8:2005 5.1.2(4)", ELASTIC_STIFFNESS, value, Unit::Rotational, formula)
+    let initial = Traced::symbol("S_j,ini", initial, Unit::Rotational);
+    let value = initial / Traced::number("η", eta);
+    let (clause, unit) = ("EN 1993-1-8:2005 5.1.2(4)", Unit::Rotational);
+    Worked::of(clause, ELASTIC_STIFFNESS, "S_j,ini/η", value, unit)
 }

@@ -1,6 +1,7 @@
 //! The equivalent T-stub in tension: EN 1993-1-8:2005 Table 6.2.
 
-use crate::check::{Unit, number as n, within};
+use crate::check::{Unit, within};
+use crate::formula::{Number, Traced};
 use crate::worked::Worked;
 
 /// Failure mode of a T-stub.
@@ -92,74 +93,62 @@ impl TStub {
     pub fn resistance(&self) -> Resistance {
         let plastic =
             |length: f64| 0.25 * length * self.thickness * self.thickness * self.fy / self.gamma_m0;
-        let (mpl1, mpl2) = (plastic(self.length1), plastic(self.length2));
-        let (m, e) = (self.m, self.n);
-        let mut modes = match (self.prying, self.washer_quarter) {
-            (Prying::Absent, _) => vec![(Mode::FlangeWithoutPrying, 2.0 * mpl1 / m)],
-            (Prying::Develops, None) => vec![(Mode::Flange, 4.0 * mpl1 / m)],
-            (Prying::Develops, Some(ew)) => {
-                let below = 2.0 * m * e - ew * (m + e);
-                vec![(Mode::Flange, (8.0 * e - 2.0 * ew) * mpl1 / below)]
-            }
+        let plastic @ [mpl1, mpl2] = [plastic(self.length1), plastic(self.length2)];
+        let modes: &[Mode] = match self.prying {
+            Prying::Absent => &[Mode::FlangeWithoutPrying, Mode::Bolts],
+            Prying::Develops => &[Mode::Flange, Mode::FlangeAndBolts, Mode::Bolts],
         };
-        if self.prying == Prying::Develops {
-            modes.push((Mode::FlangeAndBolts, (2.0 * mpl2 + e * self.bolts) / (m + e)));
-        }
-        modes.push((Mode::Bolts, self.bolts));
+        let modes: Vec<(Mode, f64)> =
+            modes.iter().map(|mode| (*mode, self.of_mode(*mode, plastic))).collect();
         // of equal modes the first decides
         let least = modes.iter().fold(&modes[0], |a, b| if within(a.1, b.1) { a } else { b });
-        // writing a formula takes longer than computing it: only that of the mode that decides
-        let formula =
-            format!("F_T,Rd ({}) = {}", least.0.name(), self.formula(least.0, mpl1, mpl2));
-        let mut worked = Worked::new(
-            "EN 1993-1-8:2005 Table 6.2",
-            "T-stub in tension",
-            least.1,
-            Unit::Force,
-            formula,
-        )
-        .with("m", m, Unit::Length)
-        .with("n", e, Unit::Length)
-        .with("Σℓ_eff,1", self.length1, Unit::Length)
-        .with("Σℓ_eff,2", self.length2, Unit::Length)
-        .with("M_pl,1", mpl1, Unit::Moment)
-        .with("M_pl,2", mpl2, Unit::Moment);
+        // tracing a formula takes longer than computing it: only that of the mode that decides
+        let force: Traced = self.of_mode(least.0, plastic);
+        let (clause, title) = ("EN 1993-1-8:2005 Table 6.2", "T-stub in tension");
+        let mut worked = Worked::of(clause, title, "F_T,Rd", force, Unit::Force)
+            .after(least.0.name())
+            .with("m", self.m, Unit::Length)
+            .with("n", self.n, Unit::Length)
+            .with("Σℓ_eff,1", self.length1, Unit::Length)
+            .with("Σℓ_eff,2", self.length2, Unit::Length)
+            .with("M_pl,1", mpl1, Unit::Moment)
+            .with("M_pl,2", mpl2, Unit::Moment);
         for (mode, value) in &modes {
             worked = worked.with(mode.name(), *value, Unit::Force);
         }
         // mode 1: the prying force Q = M_pl/n of either edge beside the hinge at the bolts; mode 2:
         // the bolts are at F_t,Rd
         let bolts = match least.0 {
-            Mode::Flange => least.1 + 2.0 * mpl1 / e,
+            Mode::Flange => least.1 + 2.0 * mpl1 / self.n,
             Mode::FlangeAndBolts | Mode::Bolts => self.bolts,
             Mode::FlangeWithoutPrying => least.1,
         };
         Resistance { mode: least.0, bolts: bolts.min(self.bolts), worked }
     }
 
-    /// The formula of a mode with its numbers.
-    fn formula(&self, mode: Mode, mpl1: f64, mpl2: f64) -> String {
-        let (m, e) = (self.m, self.n);
-        let kn = |x: f64| n(x * 1e-3);
+    /// Resistance of a mode \[N\] with M_pl,1 and M_pl,2 \[N mm\].
+    ///
+    /// # Source
+    /// EN 1993-1-8:2005 Table 6.2.
+    fn of_mode<N: Number>(&self, mode: Mode, [mpl1, mpl2]: [f64; 2]) -> N {
+        let number = N::from;
+        let m = N::symbol("m", self.m, Unit::Length);
+        let n = || N::symbol("n", self.n, Unit::Length);
+        let mpl1 = || N::symbol("M_pl,1", mpl1, Unit::Moment);
+        let bolts = || N::symbol("ΣF_t,Rd", self.bolts, Unit::Force);
         match (mode, self.washer_quarter) {
-            (Mode::FlangeWithoutPrying, _) => format!("2 M_pl,1/m = 2 · {}/{}", kn(mpl1), n(m)),
-            (Mode::Flange, None) => format!("4 M_pl,1/m = 4 · {}/{}", kn(mpl1), n(m)),
-            (Mode::Flange, Some(ew)) => format!(
-                "(8n − 2e_w) M_pl,1/(2mn − e_w(m + n)) = (8 · {} − 2 · {}) · {}/{}",
-                n(e),
-                n(ew),
-                kn(mpl1),
-                n(2.0 * m * e - ew * (m + e))
-            ),
-            (Mode::FlangeAndBolts, _) => format!(
-                "(2 M_pl,2 + n ΣF_t,Rd)/(m + n) = (2 · {} + {} · {})/({} + {})",
-                kn(mpl2),
-                n(e),
-                kn(self.bolts),
-                n(m),
-                n(e)
-            ),
-            (Mode::Bolts, _) => "ΣF_t,Rd".into(),
+            (Mode::FlangeWithoutPrying, _) => number(2.0) * mpl1() / m,
+            (Mode::Flange, None) => number(4.0) * mpl1() / m,
+            (Mode::Flange, Some(ew)) => {
+                let ew = N::symbol("e_w", ew, Unit::Length);
+                let below = number(2.0) * m.clone() * n() - ew.clone() * (m + n());
+                (number(8.0) * n() - number(2.0) * ew) * mpl1() / below
+            }
+            (Mode::FlangeAndBolts, _) => {
+                let mpl2 = N::symbol("M_pl,2", mpl2, Unit::Moment);
+                (number(2.0) * mpl2 + n() * bolts()) / (m + n())
+            }
+            (Mode::Bolts, _) => bolts(),
         }
     }
 }

@@ -3,6 +3,7 @@
 use crate::check::{Check, Status, Topic, Unit, number as n, within};
 use crate::eurocode::i_section::Section;
 use crate::eurocode::section::{Class, CrossSection, Slenderness, plastic_shear, shear_reduction};
+use crate::formula::{Derivation, Formula, Number, Traced};
 use crate::worked::Worked;
 use bracket_joint::assembly::{EndPlate, PlaneActions};
 
@@ -45,13 +46,9 @@ pub(super) fn beam(e: &EndPlate, a: &PlaneActions) -> Vec<Check> {
         match beam.bending_6_2_10(vz, axial) {
             Ok(mut worked) => {
                 let across = beside_shear_across(&beam, vy);
-                if across < 1.0 {
-                    worked.value *= across;
-                    worked.formula += &format!(
-                        "; times 1 − ρ = {} for Vy along the flanges: {}",
-                        n(across),
-                        Unit::Moment.show(worked.value)
-                    );
+                if let Some((rho, left)) = across.clone() {
+                    let reduced = worked.traced() * left;
+                    worked = worked.then(rho).becomes("M_Rd,red", reduced);
                 }
                 if mz != 0.0 {
                     let weak = WeakAxis::new(e, &beam, axial, across);
@@ -87,20 +84,32 @@ pub(super) fn beam(e: &EndPlate, a: &PlaneActions) -> Vec<Check> {
     out
 }
 
-/// What a shear force along the flanges leaves of their strength, 1 − ρ, not below 0.
+/// ρ_y of a shear force along the flanges, at most 1, and what the force leaves of their strength,
+/// 1 − ρ_y; `None` where it leaves all of it.
 ///
 /// # Source
 /// EN 1993-1-1:2005 6.2.8(3).
-fn beside_shear_across(beam: &CrossSection, vy: f64) -> f64 {
-    1.0 - shear_reduction(vy.abs() / beam.shear_across().value).min(1.0)
+fn beside_shear_across(beam: &CrossSection, vy: f64) -> Option<(Formula, Traced)> {
+    let resistance = Traced::force("V_pl,y,Rd", beam.shear_across().value);
+    let rho = shear_reduction(Traced::force("V_y,Ed", vy.abs()) / resistance);
+    let rho = Formula::new("ρ_y", rho.min(Traced::from(1.0)), Unit::Number);
+    let left = Traced::from(1.0) - rho.traced();
+    (left.value() < 1.0).then_some((rho, left))
+}
+
+/// What is left of a strength, at least 0: with the limit in its formula where it binds.
+fn not_negative(left: Traced) -> Traced {
+    if left.value() < 0.0 { left.max(Traced::from(0.0)) } else { left }
 }
 
 /// Bending about both axes.
 struct WeakAxis {
     /// Resistance to bending about the weak axis beside the axial force \[N mm\].
-    resistance: f64,
-    /// Exponents of the moments about the strong and the weak axis.
-    exponents: [f64; 2],
+    resistance: Traced,
+    /// Exponents of the moments about the strong and the weak axis; `None` for 1.
+    exponents: [Option<Traced>; 2],
+    /// What gives these values.
+    derivation: Derivation,
     clause: &'static str,
 }
 
@@ -111,44 +120,73 @@ impl WeakAxis {
     /// # Source
     /// EN 1993-1-1:2005 6.2.9.1(5) and (6) in classes 1 and 2, α = 2, β = 5 n ≥ 1; 6.2.9.2 in class
     /// 3: the stresses add.
-    fn new(e: &EndPlate, beam: &CrossSection, axial: f64, across: f64) -> Self {
-        let (s, fyd) = (&beam.section, beam.fy / beam.gamma_m0);
-        let part = axial.abs() / beam.axial().value;
+    fn new(
+        e: &EndPlate,
+        beam: &CrossSection,
+        axial: f64,
+        across: Option<(Formula, Traced)>,
+    ) -> Self {
+        let (s, number) = (&beam.section, Traced::from);
+        let fyd = Traced::stress("f_y", beam.fy) / Traced::number("γ_M0", beam.gamma_m0);
+        let n = Traced::force("N_Ed", axial.abs()) / beam.axial().traced();
+        let n = Formula::new("n", n, Unit::Number);
         let class = Slenderness::new(s, s.r).class(s, beam.fy, (-axial).max(0.0));
-        if class == Class::Plastic {
-            let a = ((s.area - 2.0 * s.b * s.tf) / s.area).min(0.5);
-            let left = if part > a { 1.0 - ((part - a) / (1.0 - a)).powi(2) } else { 1.0 };
-            let resistance = 1e3 * e.beam.w_pl_z * fyd * left.max(0.0) * across;
-            let exponents = [2.0, (5.0 * part).max(1.0)];
-            return Self { resistance, exponents, clause: "EN 1993-1-1:2005 6.2.9.1(6)" };
+        let mut derivation = Derivation::default();
+        if axial != 0.0 {
+            derivation = derivation.then(n.clone());
         }
-        let resistance = 1e3 * e.beam.w_el_z * fyd * (1.0 - part).max(0.0) * across;
-        Self { resistance, exponents: [1.0; 2], clause: "EN 1993-1-1:2005 6.2.9.2" }
+        let (mut resistance, exponents, clause) = if class == Class::Plastic {
+            let area = || Traced::area("A", s.area);
+            let flanges = number(2.0) * Traced::length("b", s.b) * Traced::length("t_f", s.tf);
+            let a = ((area() - flanges) / area()).min(number(0.5));
+            let a = Formula::new("a", a, Unit::Number);
+            let mut resistance = Traced::number("W_pl,z", 1e3 * e.beam.w_pl_z) * fyd;
+            if n.value > a.value {
+                let beyond = (n.traced() - a.traced()) / (number(1.0) - a.traced());
+                resistance = resistance * not_negative(number(1.0) - beyond.powi(2));
+                derivation = derivation.then(a);
+            }
+            let beta = Formula::new("β", (number(5.0) * n.traced()).max(number(1.0)), Unit::Number);
+            let exponents = [Some(number(2.0)), (axial != 0.0).then(|| beta.traced())];
+            if axial != 0.0 {
+                derivation = derivation.then(beta);
+            }
+            (resistance, exponents, "EN 1993-1-1:2005 6.2.9.1(6)")
+        } else {
+            let mut resistance = Traced::number("W_el,z", 1e3 * e.beam.w_el_z) * fyd;
+            if axial != 0.0 {
+                resistance = resistance * not_negative(number(1.0) - n.traced());
+            }
+            (resistance, [None, None], "EN 1993-1-1:2005 6.2.9.2")
+        };
+        if let Some((rho, left)) = across {
+            (derivation, resistance) = (derivation.then(rho), resistance * left);
+        }
+        let resistance = Formula::new("M_N,z,Rd", resistance, Unit::Moment);
+        let moment = resistance.traced();
+        Self { resistance: moment, exponents, derivation: derivation.then(resistance), clause }
     }
 
     /// Moments about both axes beside the resistance about the strong axis, to be at most 1.
     fn beside(&self, strong: &Worked, [my, mz]: [f64; 2]) -> Worked {
-        let [alpha, beta] = self.exponents;
-        let part = |moment: f64, resistance: f64, power: f64| match resistance > 0.0 {
-            true => (moment.abs() / resistance).powf(power),
-            false if moment == 0.0 => 0.0,
-            false => f64::INFINITY,
+        let part = |moment: Traced, resistance: Traced, power: &Option<Traced>| {
+            let left = match resistance.value() > 0.0 {
+                true => resistance,
+                false if moment.value() == 0.0 => return moment,
+                // nothing is left: more than any resistance
+                false => resistance.max(Traced::from(0.0)),
+            };
+            match power.clone() {
+                Some(power) => (moment / left).powf(power),
+                None => moment / left,
+            }
         };
-        let value = part(my, strong.value, alpha) + part(mz, self.resistance, beta);
-        let show = |x: f64| Unit::Moment.show(x);
-        let formula = format!(
-            "(My/M_N,y,Rd)^{} + (Mz/M_N,z,Rd)^{} = ({}/{})^{} + ({}/{})^{}",
-            n(alpha),
-            n(beta),
-            show(my.abs()),
-            show(strong.value),
-            n(alpha),
-            show(mz.abs()),
-            show(self.resistance),
-            n(beta)
-        );
+        let moment = |symbol: &'static str, value| Traced::symbol(symbol, value, Unit::Moment);
+        let [alpha, beta] = &self.exponents;
+        let value = part(moment("M_y,Ed", my.abs()), moment("M_N,y,Rd", strong.value), alpha)
+            + part(moment("M_z,Ed", mz.abs()), self.resistance.clone(), beta);
         let title = "bending of the beam about both axes";
-        Worked::new(self.clause, title, value, Unit::Number, formula)
+        Worked::of(self.clause, title, "", value, Unit::Number).after(self.derivation.clone())
     }
 }
 
@@ -166,42 +204,35 @@ fn twisted(
     [vy, vz]: [f64; 2],
     subject: &str,
 ) -> Vec<Check> {
-    let (s, shear) = (&beam.section, beam.fy / (3f64.sqrt() * beam.gamma_m0));
-    let thickest = s.tf.max(s.tw);
-    let formula = format!(
-        "T_Rd = I_t/t (f_y/√3)/γ_M0 = {}/{} · {}; St. Venant alone: the restraint of warping at \
-         the end plate is not counted",
-        n(torsion_constant),
-        n(thickest),
-        n(shear)
-    );
+    let s = &beam.section;
+    let [f_y, gamma] =
+        [("f_y", beam.fy, Unit::Stress), ("γ_M0", beam.gamma_m0, Unit::Number)].map(Traced::from);
+    let shear = f_y / (Traced::from(3.0).sqrt() * gamma);
+    let constant = Traced::number("I_t", torsion_constant);
+    let thickest = Traced::length("t", s.tf.max(s.tw));
     let (clause, title) = ("EN 1993-1-1:2005 6.2.7(5), (6)", "torsion of the beam");
-    let resistance = torsion_constant / thickest * shear;
-    let worked = Worked::new(clause, title, resistance, Unit::Moment, formula);
+    let resistance = constant.clone() / thickest.clone() * shear.clone();
+    let words = "St. Venant alone: the restraint of warping at the end plate is not counted";
+    let worked = Worked::of(clause, title, "T_Rd", resistance, Unit::Moment).then(words);
     let undecided = |worked: Worked, demand: f64| {
         let step = "less torsion, a beam with a larger I_t, or a check of the torsion with \
                     warping by another method";
         worked.against(Topic::Member, subject, demand.abs(), Status::Undecided).decided_by(step)
     };
     let mut out = vec![undecided(worked, torsion)];
-    let stress = torsion.abs() * thickest / torsion_constant;
-    let left = (1.0 - stress / (1.25 * shear)).max(0.0).sqrt();
-    for (mut worked, title, force) in [
+    let stress = Traced::symbol("T_Ed", torsion.abs(), Unit::Moment) * thickest / constant;
+    let stress = Formula::new("τ_t", stress, Unit::Stress);
+    let left = Traced::from(1.0) - stress.traced() / (Traced::from(1.25) * shear);
+    let left = not_negative(left).sqrt();
+    for (worked, title, force) in [
         (beam.shear(), "shear of the beam beside torsion", vz),
         (beam.shear_across(), "shear of the beam along its flanges beside torsion", vy),
     ] {
         if force == 0.0 {
             continue;
         }
-        worked.value *= left;
-        worked.formula = format!(
-            "V_pl,T,Rd = √(1 − τ_t/(1.25 (f_y/√3)/γ_M0)) V_pl,Rd = √(1 − {}/(1.25 · {})) V_pl,Rd = \
-             {}; {}",
-            n(stress),
-            n(shear),
-            Unit::Force.show(worked.value),
-            worked.formula
-        );
+        let reduced = left.clone() * worked.traced();
+        let mut worked = worked.then(stress.clone()).becomes("V_pl,T,Rd", reduced);
         (worked.clause, worked.title) = ("EN 1993-1-1:2005 6.2.7(9)", title);
         out.push(undecided(worked, force));
     }

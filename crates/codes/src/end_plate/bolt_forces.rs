@@ -16,6 +16,7 @@ use crate::eurocode::block_tearing::Blocks;
 use crate::eurocode::bolts::{shear_resistance, tension_resistance};
 use crate::eurocode::interaction::{self, Forces};
 use crate::eurocode::punching::{mean_diameter, punching_resistance};
+use crate::formula::{Derivation, Number, Traced};
 use crate::worked::Worked;
 use bracket_joint::assembly::{EndPlate, Way};
 
@@ -44,11 +45,19 @@ pub(super) struct BoltForces<'a> {
     /// F_t,Rd of one bolt \[N\].
     tension_resistance: f64,
     /// F_v,Rd of one bolt, thread in the shear plane \[N\].
-    shear_resistance: f64,
-    /// Its formula, where it is not that of Table 3.4 alone.
-    reduced: Option<String>,
+    shear_resistance: Traced,
+    /// Its derivation, where it is not that of Table 3.4 alone.
+    reduced: Derivation,
     /// Shear forces across and along the member \[N\].
     force: [f64; 2],
+}
+
+/// Share of the shear resistance of a bolt that its tension leaves, `1 − F_t,Ed/(1.4 F_t,Rd)`.
+///
+/// # Source
+/// EN 1993-1-8:2005 Table 3.4.
+fn shear_share<N: Number>(f_t_ed: N, f_t_rd: N) -> N {
+    N::from(1.0) - f_t_ed / (N::from(TENSION_DIVISOR) * f_t_rd)
 }
 
 impl<'a> BoltForces<'a> {
@@ -67,8 +76,8 @@ impl<'a> BoltForces<'a> {
                 .collect(),
             shear: vz.hypot(vy),
             tension_resistance: tension_resistance(&e.bolt, &e.grade, e.factors.gamma_m2).value,
-            shear_resistance: shear.value,
-            reduced: (shear.value < whole).then_some(shear.formula),
+            shear_resistance: shear.traced(),
+            reduced: if shear.value < whole { shear.derivation } else { Derivation::default() },
             force: [vy, vz],
         }
     }
@@ -81,12 +90,19 @@ impl<'a> BoltForces<'a> {
 
     /// Share of the shear resistance of a bolt that its tension leaves.
     fn shear_share(&self, tension: f64) -> f64 {
-        1.0 - self.capped(tension) / (TENSION_DIVISOR * self.tension_resistance)
+        shear_share(self.capped(tension), self.tension_resistance)
     }
 
-    /// Sum of the shares of all bolts.
-    fn shear_shares(&self) -> f64 {
-        self.rows.iter().map(|r| 2.0 * self.shear_share(r.tension)).sum()
+    /// Sum of the shares of all bolts. Tensions print with their cap where it binds at a row.
+    fn shear_shares(&self) -> Traced {
+        let capped = self.rows.iter().any(|r| r.tension > self.tension_resistance);
+        let of = |row: &Row| {
+            let [ed, rd] = [("F_t,Ed", row.tension), ("F_t,Rd", self.tension_resistance)]
+                .map(|(symbol, value)| Traced::force(symbol, value));
+            let ed = if capped { ed.min(rd.clone()) } else { ed };
+            Traced::from(2.0) * shear_share(ed, rd)
+        };
+        Traced::series(self.rows.iter().map(of))
     }
 
     /// The bolts, two of each row, with the shares that tension leaves.
@@ -122,12 +138,13 @@ impl<'a> BoltForces<'a> {
         largest(self.rows.iter().copied(), |r| r.tension)
     }
 
-    /// Notes on a formula that it counts no more than F_t,Rd.
-    fn note_cap(&self, worked: &mut Worked, tension: f64) {
+    /// A value with the note that it counts no more than F_t,Rd.
+    fn note_cap(&self, worked: Worked, tension: f64) -> Worked {
         if tension > self.tension_resistance {
-            worked.formula +=
-                &format!("; F_t,Ed = {} counts as F_t,Rd here", Unit::Force.show(tension));
+            let tension = Unit::Force.show(tension);
+            return worked.then(format!("F_t,Ed = {tension} counts as F_t,Rd here"));
         }
+        worked
     }
 
     /// Shear, tension, both together, bearing and punching.
@@ -155,19 +172,13 @@ impl<'a> BoltForces<'a> {
 
     /// The bolts together in shear, each with the share that its tension leaves.
     fn shear(&self) -> Check {
-        let each = self.rows.iter().map(|r| format!("2 · {}", n(self.shear_share(r.tension))));
-        let reduced = self.reduced.as_ref().map_or(String::new(), |f| format!("{f}; "));
-        let formula = format!(
-            "{reduced}V_Rd = Σ (1 − F_t,Ed/(1.4 F_t,Rd)) F_v,Rd = ({}) · {}",
-            each.collect::<Vec<_>>().join(" + "),
-            Unit::Force.show(self.shear_resistance)
-        );
+        let clause = "EN 1993-1-8:2005 6.2.2(2), Table 3.4";
         let title = "shear of the bolt group, reduced for tension";
-        let value = self.shear_shares() * self.shear_resistance;
+        let value = self.shear_shares() * self.shear_resistance.clone();
         let mut worked =
-            Worked::new("EN 1993-1-8:2005 6.2.2(2), Table 3.4", title, value, Unit::Force, formula);
+            Worked::of(clause, title, "V_Rd", value, Unit::Force).after(self.reduced.clone());
         if let Some(row) = self.most_pulled() {
-            self.note_cap(&mut worked, row.tension);
+            worked = self.note_cap(worked, row.tension);
         }
         for row in &self.rows {
             worked = worked.with(
@@ -197,14 +208,13 @@ impl<'a> BoltForces<'a> {
     /// Interaction of shear and tension, for each bolt on its own as Table 3.4 has it.
     fn shear_and_tension(&self) -> Option<Check> {
         let each = self.sheared().into_iter().map(|(row, [a, b])| {
-            let mut worked = interaction::utilisation(&Forces {
+            let worked = interaction::utilisation(&Forces {
                 shear: a[0].hypot(a[1]).max(b[0].hypot(b[1])),
                 tension: self.capped(row.tension),
-                shear_resistance: self.shear_resistance,
+                shear_resistance: self.shear_resistance.value(),
                 tension_resistance: self.tension_resistance,
             });
-            self.note_cap(&mut worked, row.tension);
-            (row, worked)
+            (row, self.note_cap(worked, row.tension))
         });
         let (row, worked) = largest(each, |(_, worked)| worked.value)?;
         Some(worked.utilised(Topic::Bolts, self.capped_place(row), Status::Failed))
@@ -267,13 +277,13 @@ impl<'a> BoltForces<'a> {
     /// Punching of a plate at the row that is pulled most.
     fn punching(&self, plate: &ClampedPlate) -> Option<Check> {
         let (e, row) = (self.e, self.most_pulled()?);
-        let mut worked = punching_resistance(
+        let worked = punching_resistance(
             mean_diameter(&e.bolt),
             plate.thickness,
             plate.fu,
             e.factors.gamma_m2,
         );
-        self.note_cap(&mut worked, row.tension);
+        let worked = self.note_cap(worked, row.tension);
         let place = format!("{}, {}", plate.name, self.capped_place(row));
         Some(worked.against(Topic::Bolts, place, self.capped(row.tension), Status::Failed))
     }

@@ -8,6 +8,7 @@ use crate::classification::{
     Frame, STIFF_COLUMNS, StiffnessLimits, stiffness_limits, strength_class,
 };
 use crate::component_method::stiffness::at_moment;
+use crate::formula::{Derivation, Formula, Line, Number, Relation, Traced};
 use crate::worked::Worked;
 use bracket_joint::assembly::EndPlate;
 
@@ -39,22 +40,18 @@ fn strength(end: &MemberEnd<'_>) -> Check {
     // a column that ends on both sides is one piece, no more than one column
     let count = e.column.as_ref().map_or(1, |c| columns(c).max(1));
     let class = strength_class(joint, beam, column, count);
-    let full = beam.min(f64::from(count) * column);
-    let least = if column.is_finite() {
-        format!(
-            "min(M_b,pl,Rd, {count} M_c,pl,Rd) = min({}, {count} · {})",
-            Unit::Moment.show(beam),
-            Unit::Moment.show(column)
-        )
-    } else {
-        format!("M_b,pl,Rd = {}", Unit::Moment.show(beam))
-    };
-    let formula = format!(
-        "{}: M_j,Rd = {}, full strength from {least}, pinned up to a quarter of it; M_j,Rd/M_full",
-        class.words(),
-        Unit::Moment.show(joint)
-    );
-    Worked::new("EN 1993-1-8:2005 5.2.3", "class by strength", joint / full, Unit::Number, formula)
+    let moment = |symbol: &'static str, value| Traced::symbol(symbol, value, Unit::Moment);
+    let mut full = moment("M_b,pl,Rd", beam);
+    if e.column.is_some() {
+        full = full.min(Traced::from(f64::from(count)) * moment("M_c,pl,Rd", column));
+    }
+    let full = Formula::new("M_full", full, Unit::Moment);
+    let share = moment("M_j,Rd", joint) / full.traced();
+    let words = Derivation::from(class.words())
+        .then("full strength from M_full, pinned up to a quarter of it")
+        .then(full);
+    Worked::of("EN 1993-1-8:2005 5.2.3", "class by strength", "", share, Unit::Number)
+        .after(words)
         .information(Topic::ComponentMethod, end.subject())
 }
 
@@ -65,22 +62,27 @@ fn stiffness(end: &MemberEnd<'_>) -> Option<Check> {
     if !within(demand, joint) {
         return None;
     }
-    let mut worked = at_moment(initial, demand, joint);
-    worked.formula += &format!(" at M_j,Ed = {}", Unit::Moment.show(demand));
+    let demand =
+        Formula::new("M_j,Ed", Traced::symbol("M_j,Ed", demand, Unit::Moment), Unit::Moment);
+    let worked = at_moment(initial, demand.value, joint).after(demand);
     Some(worked.information(Topic::Stiffness, end.subject()))
 }
 
 /// K_b/K_c of the beam and the column at the joint; the code uses the means over the storey.
-fn slender_columns(e: &EndPlate) -> Option<f64> {
+fn slender_columns(e: &EndPlate) -> Option<Formula> {
     let column = e.column.as_ref()?;
-    let of = |i: f64, length: f64| 1e4 * i / length;
-    Some(of(e.beam.i_y, e.system_length?) / of(column.section.i_y, column.system_length?))
+    let of = |symbols: [&'static str; 2], i: f64, length: f64| {
+        Traced::number(symbols[0], 1e4 * i) / Traced::length(symbols[1], length)
+    };
+    let beam = of(["I_b", "L_b"], e.beam.i_y, e.system_length?);
+    let column = of(["I_c", "L_c"], column.section.i_y, column.system_length?);
+    Some(Formula::new("K_b/K_c", beam / column, Unit::Number))
 }
 
 /// Limits of the classes by stiffness in a kind of frame; `None` if the length of the beam is not
 /// known.
 fn limits(e: &EndPlate, frame: Frame) -> Option<StiffnessLimits> {
-    let stiff = slender_columns(e).is_some_and(|r| !within(STIFF_COLUMNS, r));
+    let stiff = slender_columns(e).is_some_and(|r| !within(STIFF_COLUMNS, r.value));
     let inertia = 1e4 * e.beam.i_y;
     let of = |length| stiffness_limits(frame, stiff, e.beam_steel.e, inertia, length);
     e.system_length.map(of)
@@ -116,50 +118,54 @@ fn stiffness_classes(end: &MemberEnd<'_>) -> Vec<Check> {
     let initial = end.assessment.stiffness.initial.value;
     let inertia = 1e4 * e.beam.i_y;
     let storey = match slender_columns(e) {
-        Some(r) => {
-            format!(
-                "K_b/K_c = {} of this beam and column, the code takes the means of the storey; \
-                 rigid from {}",
-                n(r),
-                n(STIFF_COLUMNS)
-            )
-        }
+        Some(ratio) => Derivation::from(ratio)
+            .then("for this beam and column, the code takes the means of the storey")
+            .then(format!("rigid from {}", n(STIFF_COLUMNS))),
         None => format!(
             "where K_b/K_c < {} in the storey it is semi-rigid however stiff",
             n(STIFF_COLUMNS)
-        ),
+        )
+        .into(),
     };
     let each = [
-        (Frame::Braced, "braced frame", String::new()),
-        (Frame::Unbraced, "other frames", format!("; {storey}")),
+        (Frame::Braced, "braced frame", Derivation::default()),
+        (Frame::Unbraced, "other frames", storey),
     ];
-    let class = |(frame, words, note): (Frame, &'static str, String)| {
+    let class = |(frame, words, note): (Frame, &'static str, Derivation)| {
         let place = format!("{}, {words}", end.subject());
+        let stiffness = Traced::symbol("S_j,ini", initial, Unit::Rotational);
         let Some(limits) = limits(e, frame) else {
-            let rigid = frame.factor() * e.beam_steel.e * inertia / initial;
-            let formula = format!(
-                "L_b ≥ k_b E I_b/S_j,ini = {} · {} · {}/{}",
-                n(frame.factor()),
-                n(e.beam_steel.e),
-                n(inertia),
-                Unit::Rotational.show(initial)
-            );
+            let (k_b, young) = (frame.factor(), Traced::stress("E", e.beam_steel.e));
+            let bending = Traced::number("k_b", k_b) * young * Traced::number("I_b", inertia);
             let title = "system length of the beam from which the joint is rigid";
-            let mut worked = Worked::new(STIFFNESS, title, rigid, Unit::Length, formula);
-            worked.formula += &note;
+            let mut worked = Worked::of(STIFFNESS, title, "L_b", bending / stiffness, Unit::Length);
+            worked.derivation = worked.derivation.followed_by(note);
             return worked.information(Topic::Stiffness, place);
         };
-        let rigid = match limits.rigid.value.is_finite() {
-            true => limits.rigid.formula.clone(),
-            false => "none, for K_b/K_c < 0.1".into(),
-        };
-        let formula = format!(
-            "{}: rigid from {rigid}, pinned up to {}{note}; S_j,ini",
-            limits.class(initial).words(),
-            limits.pinned.formula
-        );
-        Worked::new(STIFFNESS, "class by stiffness", initial, Unit::Rotational, formula)
+        let derivation = Derivation::from(limits.class(initial).words())
+            .followed_by(beside_limits(initial, &limits))
+            .followed_by(note);
+        Worked::of(STIFFNESS, "class by stiffness", "S_j,ini", stiffness, Unit::Rotational)
+            .after(derivation)
             .information(Topic::Stiffness, place)
     };
     each.into_iter().map(class).collect()
+}
+
+/// An initial stiffness \[N mm/rad\] beside the limits of the classes.
+fn beside_limits(initial: f64, limits: &StiffnessLimits) -> Derivation {
+    let rigid =
+        if within(limits.rigid.value, initial) { Relation::AtLeast } else { Relation::Below };
+    let pinned =
+        if within(initial, limits.pinned.value) { Relation::AtMost } else { Relation::Above };
+    let line = |limit: &Worked, relation: Relation| match limit.derivation.formulas().last() {
+        Some(limit) if limit.value.is_finite() => Line::Comparison {
+            symbol: "S_j,ini".into(),
+            value: initial,
+            relation,
+            limit: limit.clone(),
+        },
+        _ => "no joint is rigid where K_b/K_c < 0.1".into(),
+    };
+    Derivation::from(line(&limits.rigid, rigid)).then(line(&limits.pinned, pinned))
 }

@@ -4,6 +4,7 @@
 use super::column_forces::{ColumnForces, Moment, columns, known, unsupported};
 use crate::check::{Check, Status, Topic, Unit, number as n, within};
 use crate::eurocode::section::CrossSection;
+use crate::formula::{Derivation, Traced};
 use crate::worked::Worked;
 use bracket_joint::assembly::{ColumnSide, EndPlate};
 
@@ -56,7 +57,7 @@ fn no_support([push, lift, moment]: [f64; 3]) -> Check {
 fn shear(e: &EndPlate, c: &ColumnSide, f: &ColumnForces) -> Option<Check> {
     let mut worked = cross_section(e, c).shear();
     worked.title = "shear of the column";
-    worked.formula = format!("{}; {}", f.from, worked.formula);
+    let worked = worked.after(f.from.clone());
     (f.shear > 0.0).then(|| worked.against(Topic::Member, SUBJECT, f.shear, Status::Failed))
 }
 
@@ -94,8 +95,7 @@ fn section(e: &EndPlate, c: &ColumnSide, f: &ColumnForces) -> Vec<Check> {
     let column = cross_section(e, c);
     let of = |mut worked: Worked, title: &'static str, demand: f64| {
         worked.title = title;
-        worked.formula = format!("{}; {}", f.from, worked.formula);
-        worked.against(Topic::Member, SUBJECT, demand, Status::Failed)
+        worked.after(f.from.clone()).against(Topic::Member, SUBJECT, demand, Status::Failed)
     };
     let mut out = Vec::new();
     out.extend(shear(e, c, f));
@@ -114,7 +114,7 @@ fn section(e: &EndPlate, c: &ColumnSide, f: &ColumnForces) -> Vec<Check> {
         }
         // class 4
         Err(fault) => {
-            let why = format!("{}; {fault}", f.from);
+            let why = Derivation::default().followed_by(f.from.clone()).then(fault.to_string());
             let step = match f.known {
                 Moment::Contradicts => format!("{}, and {}", fault.step(), more_moment(f)),
                 _ => fault.step().to_owned(),
@@ -150,7 +150,7 @@ fn cross_section(e: &EndPlate, c: &ColumnSide) -> CrossSection {
 }
 
 /// Tension of the section less the holes of a row in its flanges,
-/// `N_u,Rd = 0.9 A_net f_u/γ_M2`.
+/// `N_u,Rd = 0.9 A_net f_u/γ_M2` with A_net = A − n_h d0 t_f.
 ///
 /// # Source
 /// EN 1993-1-1:2005 6.2.3(2)b.
@@ -160,20 +160,12 @@ fn net_tension(e: &EndPlate, c: &ColumnSide) -> Worked {
     ends.dedup();
     // a beam on either side has holes in both flanges
     let holes = (ends.len().max(1) * e.columns().len()) as f64;
-    let (area, gamma) = (1e2 * c.section.area, e.factors.gamma_m2);
-    let net = area - holes * e.hole * c.section.tf;
-    let formula = format!(
-        "N_u,Rd = 0.9 A_net f_u/γ_M2 = 0.9 · ({} − {} · {} · {}) · {}/{}",
-        n(area),
-        n(holes),
-        n(e.hole),
-        n(c.section.tf),
-        n(c.steel.fu),
-        n(gamma)
-    );
-    let value = 0.9 * net * c.steel.fu / gamma;
+    let holes = Traced::number("n_h", holes) * Traced::length("d0", e.hole);
+    let net = Traced::area("A", 1e2 * c.section.area) - holes * Traced::length("t_f", c.section.tf);
+    let (f_u, gamma) = (Traced::stress("f_u", c.steel.fu), e.factors.gamma_m2);
+    let value = Traced::from(0.9) * net * f_u / Traced::number("γ_M2", gamma);
     let title = "tension of the column beside its holes";
-    Worked::new("EN 1993-1-1:2005 6.2.3(2)b", title, value, Unit::Force, formula)
+    Worked::of("EN 1993-1-1:2005 6.2.3(2)b", title, "N_u,Rd", value, Unit::Force)
 }
 
 /// What the beams bring into a column that continues both ways. Its share above and below is not

@@ -5,7 +5,8 @@
 //! that the beams bring. Where it continues both ways, the two columns share it in a proportion
 //! that the joint does not know: one of them has at least half of the moment.
 
-use crate::check::{Unit, balance, number as n, within};
+use crate::check::{Unit, balance, within};
+use crate::formula::{Derivation, Formula, Number, Traced};
 use bracket_joint::assembly::{ColumnSide, EndPlate, PlaneActions};
 
 /// A given moment that lacks no more than this part of what equilibrium asks for is rounded.
@@ -277,8 +278,8 @@ fn panel_relief(e: &EndPlate, case: &str, shear: impl Fn(f64) -> f64) -> PanelRe
 pub(super) struct PanelShear {
     /// |V_wp,Ed| \[N\].
     pub demand: f64,
-    /// Its formula with its numbers.
-    pub formula: String,
+    /// Its formula.
+    pub derivation: Derivation,
     /// Title of the check of the panel, with where the column's shear comes from.
     pub title: &'static str,
 }
@@ -292,26 +293,24 @@ impl PanelShear {
     pub fn new(e: &EndPlate, a: &PlaneActions, other: f64, lever: f64) -> Self {
         let own = a.at(1.0)[1][1];
         // V_Ed is positive against the shear of a positive moment at an end along +x
-        let moments = a.outward * balance([own, -other]);
-        let shear = |relief: f64| (moments / lever - relief).abs();
+        let difference = balance([own, -other]);
+        let shear = |relief: f64| (a.outward * difference / lever - relief).abs();
         let PanelRelief { value: relief, title } = panel_relief(e, &a.case, shear);
-        let demand = shear(relief);
-        let none = relief == 0.0;
-        let formula = format!(
-            "V_wp,Ed = |(M_b1 − M_b2)/z_eq{}| = |({} − {})/{}{}| = {}",
-            if none { "" } else { " − (V_c1 − V_c2)/2" },
-            Unit::Moment.show(own),
-            Unit::Moment.show(other),
-            Unit::Length.show(lever),
-            if none { String::new() } else { minus(a.outward * relief) },
-            Unit::Force.show(demand)
-        );
-        Self { demand, formula, title }
+        // moments that balance but for rounding are equal
+        let other = if difference == 0.0 { own } else { other };
+        let [own, other] =
+            [("M_b1", own), ("M_b2", other)].map(|(s, m)| Traced::symbol(s, m, Unit::Moment));
+        let moments = (own - other) / Traced::length("z_eq", lever);
+        let formula = |shear: Traced| Formula::new("V_wp,Ed", shear.abs(), Unit::Force);
+        let (shear, words) = if relief == 0.0 {
+            (formula(moments), None)
+        } else {
+            let columns = Traced::force("ΔV_c", 2.0 * a.outward * relief);
+            let words = "ΔV_c is V_c1 − V_c2 of 5.3(3)";
+            (formula(moments - columns / Traced::from(2.0)), Some(words))
+        };
+        let demand = shear.value;
+        let derivation = words.into_iter().fold(Derivation::from(shear), Derivation::then);
+        Self { demand, derivation, title }
     }
-}
-
-/// ` − x` with the sign of x.
-fn minus(force: f64) -> String {
-    let sign = if force < 0.0 { "+" } else { "−" };
-    format!(" {sign} {} kN", n(1e-3 * force.abs()))
 }

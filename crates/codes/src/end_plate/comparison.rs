@@ -3,6 +3,7 @@
 use crate::check::{Unit, number as n, within};
 use crate::component_method::Assessment;
 use crate::component_method::equilibrium::{Carried, Equilibrium, SMALL_AXIAL};
+use crate::formula::{Derivation, Formula, Number, Traced};
 use crate::worked::Worked;
 use bracket_joint::assembly::{EndPlate, PlaneActions};
 use serde::{Deserialize, Serialize};
@@ -29,7 +30,14 @@ impl Method {
 
     /// M_j,Ed/M_j,Rd; 0 without a moment, whatever the resistance.
     pub(super) fn bending(&self, moment: f64) -> f64 {
-        if moment == 0.0 { 0.0 } else { moment.abs() / self.moment }
+        self.traced_bending(moment).value()
+    }
+
+    fn traced_bending(&self, moment: f64) -> Traced {
+        if moment == 0.0 && self.moment == 0.0 {
+            return Traced::from(0.0);
+        }
+        size("M_j,Ed", moment, Unit::Moment) / Traced::symbol("M_j,Rd", self.moment, Unit::Moment)
     }
 
     /// Plastic equilibrium of the rows, where the axial force counts.
@@ -52,56 +60,49 @@ impl Method {
         const CLAUSE: &str = "EN 1993-1-8:2005 6.2.7.1";
         const TITLE: &str = "moment and axial force of the joint";
         let (axial, moment) = (at[0][0], at[1][1]);
-        let my = moment.abs();
-        let bending = self.bending(moment);
-        let show = |x: f64| Unit::Moment.show(x);
-        let kn = |x: f64| Unit::Force.show(x);
-        let mut formula = format!("M_j,Ed/M_j,Rd = {}/{}", show(my), show(self.moment));
-        let mut value = bending;
-        if self.small(axial) {
-            if axial != 0.0 {
-                // a small force is neglected beside the moment, but by itself it is still compared
-                // with the resistance of the joint
-                let resistance = self
-                    .equilibrium
-                    .as_ref()
-                    .map(|e| if axial > 0.0 { e.tension } else { e.compression })?;
-                let alone = if resistance > 0.0 { axial.abs() / resistance } else { return None };
-                value = bending.max(alone);
-                formula += &format!(
-                    " = {}, N_Ed/N_j,Rd = {}/{} = {}, not added for N_Ed ≤ 0.05 N_pl,Rd; the \
-                     larger",
-                    n(bending),
-                    kn(axial.abs()),
-                    kn(resistance),
-                    n(alone)
-                );
-            }
-        } else {
-            let carried = self.with_axial(at).filter(|c| c.factor > 0.0)?;
-            let together = 1.0 / carried.factor;
-            value = bending.max(together);
-            formula = format!(
-                "the larger of {formula} = {} and 1/α = {}, with α (M_j,Ed = {}, N_Ed = {}) the \
-                 largest multiple in plastic equilibrium",
-                n(bending),
-                n(together),
-                show(moment),
-                kn(axial)
-            );
-            let worked = Worked::new(CLAUSE, TITLE, value, Unit::Number, formula);
-            return Some(self.by_hand(worked, &carried, [axial, moment]));
+        // beside a moment and an axial force with their signs the demand is an absolute value
+        let signed = !self.small(axial);
+        let bending = self.traced_bending(if signed { moment } else { moment.abs() });
+        let symbol = "M_j,Ed/M_j,Rd";
+        if axial == 0.0 {
+            return Some(Worked::of(CLAUSE, TITLE, symbol, bending, Unit::Number));
         }
-        Some(Worked::new(CLAUSE, TITLE, value, Unit::Number, formula))
+        let bending = bending.named(symbol, Unit::Number);
+        let before = Derivation::from(Formula::new(symbol, bending.clone(), Unit::Number));
+        let larger = |other, before| {
+            Worked::of(CLAUSE, TITLE, "", bending.max(other), Unit::Number).after(before)
+        };
+        if !signed {
+            // a small force is neglected beside the moment, but by itself it is still compared with
+            // the resistance of the joint
+            let symbol = "N_Ed/N_j,Rd";
+            let alone = self.pull(axial, axial.abs())?.named(symbol, Unit::Number);
+            let alone_line = Formula::new(symbol, alone.clone(), Unit::Number);
+            let words = "not added for N_Ed ≤ 0.05 N_pl,Rd";
+            return Some(larger(alone, before.then(alone_line).then(words)));
+        }
+        let carried = self.with_axial(at).filter(|c| c.factor > 0.0)?;
+        let together = Traced::from(1.0) / Traced::number("α", carried.factor);
+        let worked = larger(together, before.followed_by(largest_multiple(moment, axial)));
+        Some(self.by_hand(worked, &carried, [axial, moment]))
+    }
+
+    /// N_Ed/N_j,Rd of an axial force, which the formula shows as `demand`; `None` without a
+    /// resistance.
+    fn pull(&self, axial: f64, demand: f64) -> Option<Traced> {
+        let e = self.equilibrium.as_ref()?;
+        let resistance = if axial > 0.0 { e.tension } else { e.compression };
+        let demand = size("N_Ed", demand, Unit::Force);
+        Some(demand / Traced::force("N_j,Rd", resistance)).filter(|_| resistance > 0.0)
     }
 
     /// Adds to the check what a hand needs to follow it: the forces of rows and flanges at the
     /// largest multiple, their sums, and the linear sum of formula 6.24 beside it.
     fn by_hand(&self, mut worked: Worked, carried: &Carried, [axial, moment]: [f64; 2]) -> Worked {
         let Some(e) = &self.equilibrium else { return worked };
-        let (kn, show) = (|x: f64| Unit::Force.show(x), |x: f64| Unit::Moment.show(x));
         let alpha = carried.factor;
         let [upper, web, lower] = carried.compression;
+        worked = worked.then("tension positive");
         let mut forces: Vec<(String, f64, f64)> = carried
             .rows
             .iter()
@@ -117,40 +118,51 @@ impl Method {
         for (part, push, z) in parts.into_iter().filter(|p| p.1 > 0.0) {
             forces.push((format!("{part} at z = {} mm", n(z)), -push, z));
         }
-        let terms = |of: fn(&(String, f64, f64)) -> String| {
-            let each: Vec<String> = forces.iter().map(of).collect();
-            each.join(" + ").replace("+ -", "− ")
-        };
-        let sum: f64 = forces.iter().map(|f| f.1).sum();
-        let turned: f64 = forces.iter().map(|f| f.1 * f.2).sum();
-        worked.formula += &format!(
-            "; α = {}, tension positive: Σ F = {} = {} = α N_Ed; Σ F z = {} = {} = α M_j,Ed",
-            n(alpha),
-            terms(|f| n(1e-3 * f.1)),
-            kn(sum),
-            terms(|f| format!("{} · {}", n(1e-3 * f.1), n(1e-3 * f.2))),
-            show(turned)
-        );
+        let force = |f: &(String, f64, f64)| Traced::force("F", f.1);
+        let turning = |f: &(String, f64, f64)| force(f) * Traced::length("z", f.2);
+        let of_load =
+            |symbol, load, unit| Traced::number("α", alpha) * Traced::symbol(symbol, load, unit);
+        let (sum, turned) = (forces.iter().map(force), forces.iter().map(turning));
+        for (symbol, of, unit) in [
+            ("Σ F", Traced::series(sum), Unit::Force),
+            ("α N_Ed", of_load("N_Ed", axial, Unit::Force), Unit::Force),
+            ("Σ F z", Traced::series(turned), Unit::Moment),
+            ("α M_j,Ed", of_load("M_j,Ed", moment, Unit::Moment), Unit::Moment),
+        ] {
+            worked = worked.then(Formula::new(symbol, of, unit));
+        }
         for (name, force, _) in &forces {
             worked = worked.with(&format!("F of the {name}"), *force, Unit::Force);
         }
         worked = worked.with("α", alpha, Unit::Number);
-        let resistance = if axial > 0.0 { e.tension } else { e.compression };
-        if resistance > 0.0 {
-            let (bending, pull) = (self.bending(moment), axial.abs() / resistance);
-            worked.formula += &format!(
-                "; linear sum (6.24): M_j,Ed/M_j,Rd + N_Ed/N_j,Rd = {} + {}/{} = {}; it does not \
-                 bind: 6.2.7.1(3) offers it as a conservative method, and forces in equilibrium, \
-                 none beyond its resistance, satisfy 2.5(1)",
-                n(bending),
-                kn(axial.abs()),
-                kn(resistance),
-                n(bending + pull)
-            );
-            worked = worked.with("linear sum (6.24)", bending + pull, Unit::Number);
+        if let Some(pull) = self.pull(axial, axial) {
+            let sum = self.traced_bending(moment) + pull;
+            let value = sum.value();
+            worked = worked
+                .then("linear sum (6.24)")
+                .then(Formula::new("", sum, Unit::Number))
+                .then(
+                    "it does not bind: 6.2.7.1(3) offers it as a conservative method, and forces \
+                     in equilibrium, none beyond its resistance, satisfy 2.5(1)",
+                )
+                .with("linear sum (6.24)", value, Unit::Number);
         }
         worked
     }
+}
+
+/// The absolute value of a demand.
+fn size(symbol: &'static str, value: f64, unit: Unit) -> Traced {
+    let of = Traced::symbol(symbol, value, unit);
+    if value < 0.0 { of.abs() } else { of }
+}
+
+/// What the largest multiple α in plastic equilibrium is of.
+pub(super) fn largest_multiple(moment: f64, axial: f64) -> Derivation {
+    let of = |symbol, value, unit| Formula::new(symbol, Traced::symbol(symbol, value, unit), unit);
+    Derivation::from(of("M_j,Ed", moment, Unit::Moment))
+        .then(of("N_Ed", axial, Unit::Force))
+        .then("α is the largest multiple of M_j,Ed and N_Ed in plastic equilibrium")
 }
 
 /// Result of the component method for a load case at one member end.
@@ -216,7 +228,7 @@ impl Comparison {
             stability: assessment
                 .stability
                 .iter()
-                .map(|s| format!("{} ({})", s.why, s.clause))
+                .map(|s| format!("{} ({})", s.why.text(), s.clause))
                 .collect(),
             lever: if total > 0.0 { method.moment / total } else { 0.0 },
             beam: assessment.beam_moment.value,

@@ -14,6 +14,7 @@ use crate::component_method::stiffness::{Joins, for_elastic_analysis};
 use crate::component_method::{Assessment, assess};
 use crate::ductility::panel_in_shear;
 use crate::eurocode::i_section::Section;
+use crate::formula::{Derivation, Number, Traced};
 use crate::worked::Worked;
 use bracket_joint::assembly::EndPlate;
 
@@ -91,20 +92,23 @@ fn tables(e: &EndPlate, subject: &str, sense: Sense, a: &Assessment) -> Vec<Chec
         } else {
             row.alone.iter().find(of)
         };
-        let formula = match shown {
+        let before = Derivation::from(format!("F_tr,Rd, limited by {}", row.limited_by));
+        let before = match shown {
             Some(c) if row.limited_by.contains("rows") => {
-                format!("{} less the rows above", c.worked.formula)
+                before.followed_by(c.worked.derivation.clone()).then("less the rows above")
             }
-            Some(c) => c.worked.formula.clone(),
-            None => "what is left of the sum".into(),
+            Some(c) => before.followed_by(c.worked.derivation.clone()),
+            None if of_sum(a, r) => before.then("what is left of the sum"),
+            None => before,
         };
-        let mut force = Worked::new(
+        let mut force = Worked::of(
             "EN 1993-1-8:2005 6.2.7.2",
             "tension resistance of a row",
-            row.force,
+            "F_tr,Rd",
+            row_force(a, r, shown),
             Unit::Force,
-            format!("F_tr,Rd, limited by {}: {formula}; F_tr,Rd", row.limited_by),
         )
+        .after(before)
         .with("h_r", row.lever, Unit::Length);
         for c in &row.alone {
             force = force.with(&format!("{} alone", c.name), c.worked.value, Unit::Force);
@@ -117,19 +121,49 @@ fn tables(e: &EndPlate, subject: &str, sense: Sense, a: &Assessment) -> Vec<Chec
     out.extend(a.limits.iter().map(|l| l.worked.clone().information(topic, subject)));
     out.push(a.moment.clone().information(topic, subject));
     let (joint, beam) = (a.moment.value, a.beam_moment.value);
-    let formula =
-        format!("M_j,Rd/M_c,Rd = {}/{}", Unit::Moment.show(joint), Unit::Moment.show(beam));
-    let share = Worked::new(
-        "EN 1993-1-8:2005 5.2.3",
-        "strength against that of the beam",
-        joint / beam,
-        Unit::Number,
-        formula,
-    );
+    let share = Traced::symbol("M_j,Rd", joint, Unit::Moment)
+        / Traced::symbol("M_c,Rd", beam, Unit::Moment);
+    let title = "strength against that of the beam";
+    let share = Worked::of("EN 1993-1-8:2005 5.2.3", title, "M_j,Rd/M_c,Rd", share, Unit::Number);
     out.push(share.information(topic, subject));
     let initial = &a.stiffness.initial;
     out.push(initial.clone().information(Topic::Stiffness, subject));
     let joins = if e.column.is_some() { Joins::BeamToColumn } else { Joins::Other };
     out.push(for_elastic_analysis(initial.value, joins).information(Topic::Stiffness, subject));
     out
+}
+
+/// Whether a row has what the components in compression and shear leave of the sum.
+fn of_sum(a: &Assessment, r: usize) -> bool {
+    a.limits.iter().any(|l| l.worked.title == a.rows[r].limited_by)
+}
+
+/// The force of a row by the formula of what limits it; a symbol of its own where several limits
+/// are equal but for rounding.
+fn row_force(a: &Assessment, r: usize, shown: Option<&Component>) -> Traced {
+    let row = &a.rows[r];
+    let above = |x: usize, force: f64| Traced::force(format!("F_t{},Rd", x + 1), force);
+    let grouped = |x: usize| above(x, a.rows[x].grouped);
+    let alone = shown.map(|c| c.worked.traced());
+    let group = row.groups.iter().find(|g| shown.is_some_and(|c| std::ptr::eq(c, &g.component)));
+    let found = match (alone, group) {
+        (Some(all), Some(g)) => (g.first..r).map(grouped).reduce(|a, b| a + b).map(|sum| all - sum),
+        (Some(alone), None) => Some(alone),
+        (None, _) if !of_sum(a, r) => {
+            let h = Traced::length("h_r", row.lever);
+            let of = |x: usize| {
+                let lever = Traced::length(format!("h_{}", x + 1), a.rows[x].lever);
+                grouped(x) * h.clone() / lever
+            };
+            (0..r).map(of).find(|force| force.value() == row.force)
+        }
+        (None, _) => {
+            let least = a.limits.iter().map(|l| &l.worked);
+            let least = least.min_by(|a, b| a.value.total_cmp(&b.value));
+            least.map(|l| (0..r).fold(l.traced(), |left, x| left - above(x, a.rows[x].force)))
+        }
+    };
+    let positive = |f: Traced| if f.value() < 0.0 { f.max(Traced::from(0.0)) } else { f };
+    let same = found.map(positive).filter(|f| f.value() == row.force);
+    same.unwrap_or_else(|| Traced::force("F_tr,Rd", row.force))
 }

@@ -8,6 +8,7 @@ use crate::component_method::column_web::STIFFENER_SLENDERNESS;
 use crate::eurocode::bolt_length;
 use crate::eurocode::section::epsilon;
 use crate::eurocode::spacing::{Pattern, pattern_checks, washer_check, wrench_check};
+use crate::formula::Traced;
 use bracket_joint::assembly::{ColumnSide, EndPlate};
 use std::f64::consts::SQRT_2;
 
@@ -83,7 +84,8 @@ fn length_of_bolts(e: &EndPlate) -> Vec<Check> {
     if let Some(l) = stocked {
         let count = e.bolt_count();
         let each = if e.column.is_some() { "each end plate" } else { "the splice" };
-        length.formula += &format!("; order {} × {}, {count} for {each}", b.size, n(l));
+        let words = format!("order {} × {}, {count} for {each}", b.size, n(l));
+        length.derivation.lines.push(words.into());
         length.values.push(Step { symbol: "l".into(), value: l, unit: Unit::Length });
     }
     out.push(length);
@@ -101,7 +103,7 @@ fn overhang(e: &EndPlate, c: &ColumnSide) -> Option<Check> {
         "EN 1993-1-8:2005 Figure 6.8",
         "end plate no wider than the column flange, where it bears",
     );
-    let rule = (c.section.b, format!("b_fc of {}", c.section.name));
+    let rule = Traced::length(format!("b_fc of {}", c.section.name), c.section.b);
     let check = Check::at_most(
         (Topic::Detailing, "end plate"),
         what,
@@ -120,9 +122,10 @@ fn overhang(e: &EndPlate, c: &ColumnSide) -> Option<Check> {
 /// # Source
 /// EN 1993-1-5:2006 9.2.1(8).
 fn stiffener_slenderness(c: &ColumnSide) -> Check {
-    let limit = STIFFENER_SLENDERNESS * epsilon(c.steel.fy);
     let outstand = 0.5 * (c.section.b - c.section.tw);
-    let rule = (limit * c.stiffener, format!("13 ε t_s = {} · {}", n(limit), n(c.stiffener)));
+    let rule = Traced::from(STIFFENER_SLENDERNESS)
+        * Traced::number("ε", epsilon(c.steel.fy))
+        * Traced::length("t_s", c.stiffener);
     let title = ("EN 1993-1-5:2006 9.2.1", "outstand of the stiffener");
     Check::at_most(
         (Topic::Detailing, "column stiffener"),

@@ -1,8 +1,9 @@
 //! Supplementary web plate of the column.
 
-use crate::check::{number as n, within};
+use crate::check::{Unit, within};
 use crate::eurocode::i_section::Section;
 use crate::eurocode::section::epsilon;
+use crate::formula::{Formula, Number, Traced};
 use bracket_joint::assembly::ColumnSide;
 
 /// Reason why a supplementary web plate does not count; `None` where it counts.
@@ -12,17 +13,18 @@ use bracket_joint::assembly::ColumnSide;
 /// t_wc.
 pub(super) fn doubler_fault(c: &ColumnSide) -> Option<String> {
     let (s, width) = (&c.section, doubler_width(c));
-    let widest = 40.0 * epsilon(c.steel.fy) * c.doubler;
+    let show = |length: f64| Unit::Length.show(length);
     if !within(s.tw, c.doubler) {
-        return Some(format!(
-            "t_s = {} mm is less than t_wc = {} mm (6.2.6.1)",
-            n(c.doubler),
-            n(s.tw)
-        ));
+        let (plate, web) = (show(c.doubler), show(s.tw));
+        return Some(format!("t_s = {plate} is less than t_wc = {web} (6.2.6.1)"));
     }
-    let words =
-        || format!("b_s = {} mm is more than 40 ε t_s = {} mm (6.2.6.1)", n(width), n(widest));
-    (!within(width, widest)).then(words)
+    let widest = Traced::from(40.0)
+        * Traced::number("ε", epsilon(c.steel.fy))
+        * Traced::length("t_s", c.doubler);
+    (!within(width, widest.value())).then(|| {
+        let widest = Formula::new("", widest, Unit::Length).text();
+        format!("b_s = {} is more than {widest} (6.2.6.1)", show(width))
+    })
 }
 
 /// Width b_s of the plate \[mm\]: the flat part of the web.

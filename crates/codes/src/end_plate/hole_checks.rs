@@ -4,6 +4,7 @@ use super::bolt_checks::{DOWN, for_bearing, group_bearing, shear_of_all};
 use super::bolt_holes::{CLEARANCES, Clearance};
 use crate::check::{Check, Topic, Unit, number as n};
 use crate::eurocode::bearing::Hole;
+use crate::formula::Traced;
 use crate::worked::Worked;
 use bracket_joint::assembly::EndPlate;
 
@@ -17,29 +18,28 @@ pub(super) fn holes(e: &EndPlate) -> Vec<Check> {
         (_, Hole::Normal) => ("round holes with 2 mm clearance of small bolts", 1.0),
         _ => ("oversize round holes", 0.8),
     };
-    let mut formula = format!(
+    let words = format!(
         "d0 = {} mm, normal {} mm, oversize {} mm: bearing times {} (Table 3.4), k_s = {} (Table \
-         3.6); d0 − d",
+         3.6)",
         n(e.hole),
         n(b.hole_normal),
         n(b.hole_oversize),
         n(part),
         n(slip.ks())
     );
+    let clearance = Traced::length("d0", e.hole) - Traced::length("d", b.d);
+    let mut worked = Worked::of(CLEARANCES, title, "", clearance, Unit::Length).after(words);
     if kind == Clearance::Small {
         let (shear, bearing) = (shear_of_all(e, DOWN), group_bearing(e, Hole::Normal, DOWN));
-        formula = format!(
-            "group in bearing {}, in shear {}: {} (3.6.1(5)); {formula}",
+        worked = worked.after(format!(
+            "group in bearing {}, in shear {}: {} (3.6.1(5))",
             Unit::Force.show(bearing),
             Unit::Force.show(shear),
             match part < 1.0 {
                 true => "bearing would govern, so that the holes count as oversize",
                 false => "bearing does not govern",
             }
-        );
+        ));
     }
-    vec![
-        Worked::new(CLEARANCES, title, e.hole - b.d, Unit::Length, formula)
-            .information(Topic::Detailing, "holes"),
-    ]
+    vec![worked.information(Topic::Detailing, "holes")]
 }

@@ -2,10 +2,12 @@
 //! buckle, the column web panel.
 
 use super::column_forces::PanelShear;
+use super::comparison::largest_multiple;
 use super::member_end::{LoadedEnd, MemberEnd};
 use super::transformation::other_ends;
 use crate::check::{Check, Status, Topic, Unit, within};
 use crate::component_method::Summed;
+use crate::formula::Traced;
 use crate::worked::Worked;
 
 /// Title of the check of moment and axial force.
@@ -60,15 +62,11 @@ pub(super) fn left_out_axial(loaded: &LoadedEnd<'_>) -> Option<Check> {
         return None;
     }
     let carried = equilibrium.at(axial, my).filter(|c| c.factor > 0.0)?;
-    let together = 1.0 / carried.factor;
-    let words = format!(
-        "1/α with α (M_j,Ed = {}, N_Ed = {}) the largest multiple in plastic equilibrium; \
-         6.2.7.1(2) leaves N_Ed ≤ 0.05 N_pl,Rd out; 1/α",
-        Unit::Moment.show(my),
-        Unit::Force.show(axial)
-    );
+    let before = largest_multiple(my, axial).then("6.2.7.1(2) leaves N_Ed ≤ 0.05 N_pl,Rd out");
     let title = "axial force that the code leaves out, in equilibrium";
-    let worked = Worked::new("EN 1993-1-8:2005 6.2.7.1(2)", title, together, Unit::Number, words);
+    let together = Traced::from(1.0) / Traced::number("α", carried.factor);
+    let worked = Worked::of("EN 1993-1-8:2005 6.2.7.1(2)", title, "1/α", together, Unit::Number)
+        .after(before);
     let check = worked.utilised(Topic::ComponentMethod, end.subject(), Status::Warning);
     (check.status == Status::Warning).then_some(check)
 }
@@ -94,16 +92,18 @@ pub(super) fn stability(loaded: &LoadedEnd<'_>) -> Vec<Check> {
         };
         let mut worked = web.clone();
         worked.title = "column web in compression, with its buckling";
-        worked.formula = format!("{}; {}", s.why, worked.formula);
+        worked = worked.after(s.why.clone());
         out.push(worked.against(Topic::Stability, end.subject(), push, Status::Failed));
     }
     let axial = end.a.at(1.0)[0][0];
     let buckling = method.equilibrium.as_ref().filter(|_| axial < 0.0);
     if let Some((e, why)) = buckling.and_then(|e| Some((e, e.buckles.as_ref()?))) {
-        let formula = format!("{why}; N_j,Rd by the plastic equilibrium of the joint");
+        let why = why.clone().then("N_j,Rd by the plastic equilibrium of the joint");
         let title = "axial compression of the joint, with the buckling of the column web";
+        let resistance = Traced::force("N_j,Rd", e.compression);
         let worked =
-            Worked::new("EN 1993-1-8:2005 6.2.6.2", title, e.compression, Unit::Force, formula);
+            Worked::of("EN 1993-1-8:2005 6.2.6.2", title, "N_j,Rd", resistance, Unit::Force)
+                .after(why);
         out.push(worked.against(Topic::Stability, end.subject(), -axial, Status::Failed));
     }
     out
@@ -127,9 +127,8 @@ pub(super) fn panel(end: &MemberEnd<'_>) -> Option<Check> {
     if end.joint.beta == 0.0 && shear.demand == 0.0 {
         return None;
     }
-    let mut check = resistance;
+    let mut check = resistance.after(shear.derivation);
     check.title = shear.title;
-    check.formula = format!("{}; {}", shear.formula, check.formula);
     check.clause = "EN 1993-1-8:2005 5.3(3), 6.2.6.1";
     Some(check.against(Topic::ComponentMethod, end.subject(), shear.demand, Status::Failed))
 }

@@ -3,10 +3,11 @@
 
 use super::weld_lengths;
 use super::welded_steel;
-use crate::check::{Check, Status, Topic, Unit, number as n, within};
+use crate::check::{Check, Status, Topic, Unit, within};
 use crate::eurocode::welds::{
     LineForce, WeldedSteel, either_method, full_strength_throat, transverse,
 };
+use crate::formula::{Derivation, Formula, Line, Number, Traced};
 use crate::worked::Worked;
 use bracket_joint::assembly::{EndPlate, PlaneActions};
 
@@ -17,12 +18,15 @@ const BESIDE_CONTACT: f64 = 0.25;
 /// Title of a weld that is as strong as the part it joins.
 pub(super) const FULL_STRENGTH: &str = "fillet weld of full strength";
 
+/// Words of a plate that yields before it has brought its weld all forces.
+pub(super) const YIELDS: &str = "the web yields at a part η of the forces";
+
 /// Forces that the moment and the axial force put into the flanges of the beam.
 struct FlangeForces {
-    /// Of the weld of the flange that governs \[N\].
+    /// F_Ed of the weld of the flange that governs \[N\].
     weld: f64,
     /// Its derivation.
-    formula: String,
+    derivation: Derivation,
     /// Axial force beyond the strength of the flanges, which goes through the web \[N\], ≥ 0.
     axial: f64,
     /// Moment beyond it \[N mm\], ≥ 0.
@@ -30,42 +34,52 @@ struct FlangeForces {
 }
 
 /// Resistance of a flange as a plate, `b t_f f_y/γ_M0` \[N\].
-pub(super) fn flange_strength(e: &EndPlate) -> f64 {
-    e.beam.b * e.beam.tf * e.beam_steel.fy / e.factors.gamma_m0
+pub(super) fn flange_strength(e: &EndPlate) -> Traced {
+    Traced::length("b", e.beam.b)
+        * Traced::length("t_f", e.beam.tf)
+        * Traced::stress("f_y", e.beam_steel.fy)
+        / Traced::number("γ_M0", e.factors.gamma_m0)
+}
+
+/// Lever arm of the flanges, `h − t_f` \[mm\].
+pub(super) fn flange_lever(e: &EndPlate) -> Traced {
+    Traced::length("h", e.beam.h) - Traced::length("t_f", e.beam.tf)
 }
 
 /// Shares of the flanges: half of the axial force, and the moment on their lever arm, no more than
 /// a flange can bring. What is beyond it goes through the web.
 fn flange_forces(e: &EndPlate, axial: f64, my: f64) -> FlangeForces {
-    let (lever, most) = (e.beam.h - e.beam.tf, flange_strength(e));
-    let (bending, half) = (my.abs() / lever, 0.5 * axial);
-    let (tension, compression) = (bending + half, bending - half);
-    let (uncapped, words) = if axial >= 0.0 {
-        (tension, "|My|/(h − t_f) + N/2")
-    } else if !e.welds.bearing_in_contact {
-        (compression, "|My|/(h − t_f) + |N|/2")
+    let bending = Traced::symbol("My", my, Unit::Moment).abs() / flange_lever(e);
+    let n = Traced::force("N", axial);
+    let half = |n: Traced| n / Traced::from(2.0);
+    let uncapped = if axial >= 0.0 {
+        bending.clone() + half(n)
     } else {
-        // the weld of the flange in tension, without the relief of the compression
-        let words = "max(|My|/(h − t_f), (|My|/(h − t_f) + |N|/2)/4)";
-        (bending.max(BESIDE_CONTACT * compression), words)
+        let compression = bending.clone() + half(n.abs());
+        match e.welds.bearing_in_contact {
+            false => compression,
+            // the weld of the flange in tension, without the relief of the compression
+            true => bending.clone().max(Traced::from(BESIDE_CONTACT) * compression),
+        }
     };
+    let most = flange_strength(e).value();
     let over = |force: f64| force.signum() * (force.abs() - most).max(0.0);
+    let (bending, half) = (bending.value(), 0.5 * axial);
+    let (tension, compression) = (bending + half, bending - half);
     let by_contact = e.welds.bearing_in_contact && axial < 0.0;
     // compression of a flange goes through the contact
     let t = if by_contact { over(tension).max(0.0) } else { over(tension) };
     let c = if by_contact { over(compression).min(0.0) } else { over(compression) };
-    let weld = uncapped.min(most);
-    let mut formula = format!(
-        "F_Ed = min({words}, b t_f f_y/γ_M0) = min({}, {}) = {}",
-        Unit::Force.show(uncapped),
-        Unit::Force.show(most),
-        Unit::Force.show(weld)
-    );
-    if !within(uncapped, most) {
-        formula +=
-            &format!("; the rest, {}, goes through the web", Unit::Force.show(uncapped - most));
+    let whole = uncapped.value();
+    let weld = Formula::new("F_Ed", uncapped.min(flange_strength(e)), Unit::Force);
+    let force = weld.value;
+    let mut derivation = Derivation::from(weld);
+    if !within(whole, most) {
+        let rest = Unit::Force.show(whole - most);
+        derivation = derivation.then(format!("the rest, {rest}, goes through the web"));
     }
-    FlangeForces { weld, formula, axial: (t - c).abs(), moment: 0.5 * lever * (t + c).abs() }
+    let moment = 0.5 * flange_lever(e).value() * (t + c).abs();
+    FlangeForces { weld: force, derivation, axial: (t - c).abs(), moment }
 }
 
 /// The fillet welds of flanges and web under a load case.
@@ -95,6 +109,7 @@ fn flange(
     subject: String,
 ) -> Check {
     let (a, length) = (e.flange_throat, weld_lengths::flange(e));
+    let l = length.traced();
     // a weld without any effective length carries nothing
     let line = |force: f64| if length.value > 0.0 { force / length.value } else { f64::INFINITY };
     let along = if vy == 0.0 { 0.0 } else { line(0.5 * vy.abs()) };
@@ -103,23 +118,30 @@ fn flange(
     let mut worked = either_method(force, a, steel);
     let full = full_strength_throat(e.beam.tf, e.beam_steel.fy, e.factors.gamma_m0, steel);
     if demand.is_finite() && !within(demand, worked.value) && within(full.value, a) {
+        worked = worked
+            .then(welded_steel::as_strong(a, &full))
+            .becomes("F_w,Rd", flange_strength(e) / l.clone());
         worked.title = FULL_STRENGTH;
         worked.clause = "EN 1993-1-8:2005 6.2.3(4)";
-        worked.value = flange_strength(e) / length.value;
-        worked.formula += &format!("; a = {} mm ≥ {}: F_Rd = b t_f f_y/γ_M0", n(a), full.formula);
     }
+    let across = Traced::force("F_Ed", forces.weld);
     let together = match vy == 0.0 {
-        true => "F_w,Ed = F_Ed/l_eff".into(),
-        false => format!("F_w,Ed = √(F_Ed² + (Vy/2)²)/l_eff, Vy = {}", Unit::Force.show(vy.abs())),
+        true => across,
+        false => {
+            let half = Traced::force("Vy", vy.abs()) / Traced::from(2.0);
+            (across.powi(2) + half.powi(2)).sqrt()
+        }
     };
-    worked.formula = format!(
-        "{}; {}; {together} = {}; {}",
-        forces.formula,
-        length.formula,
-        Unit::ForcePerLength.show(demand),
-        worked.formula
-    );
-    worked.with("l_eff", length.value, Unit::Length).against(
+    let together: Line = match length.value > 0.0 {
+        // with the rounding of the resultant
+        true => {
+            Formula { value: demand, ..Formula::new("F_w,Ed", together / l, Unit::ForcePerLength) }
+                .into()
+        }
+        false => "a weld without any effective length carries nothing".into(),
+    };
+    let before = forces.derivation.clone().then(length.clone()).then(together);
+    worked.after(before).with("l_eff", length.value, Unit::Length).against(
         Topic::Welds,
         subject,
         demand,
@@ -142,51 +164,73 @@ fn web(
         // the check of the least length fails
         return None;
     }
-    let l = length.value;
-    let rest = forces.axial / l + 6.0 * forces.moment / (l * l);
-    let whole = LineForce { across: 0.5 * rest, along: 0.5 * vz.abs() / l };
-    let most = 0.5 * e.beam.tw * e.beam_steel.fy / e.factors.gamma_m0;
-    let (capped, part) = web_yields(whole, most);
-    let demand = capped.resultant();
-    let mut worked = either_method(capped, e.web_throat, steel);
-    let mut terms = String::new();
-    if rest > 0.0 {
-        terms += &format!(
-            "; F_⊥ = (N_w/l_eff + 6 M_w/l_eff²)/2 = ({}/{} + 6 · {}/{}²)/2",
-            Unit::Force.show(forces.axial),
-            n(l),
-            Unit::Moment.show(forces.moment),
-            n(l)
-        );
-    }
-    if part < 1.0 {
-        terms += &format!(
-            "; the web yields at √(F_⊥² + 3 F_∥²) = t_w f_y/(2 γ_M0) = {}",
-            Unit::ForcePerLength.show(most)
-        );
-    }
-    worked.formula = format!(
-        "F_w,Ed = V/(2 l_eff) = {}/(2 · {}){terms}; {}; {}",
-        Unit::Force.show(vz.abs()),
-        Unit::Length.show(l),
-        length.formula,
-        worked.formula
-    );
-    Some(worked.with("l_eff", l, Unit::Length).against(
+    let (l, two) = (length.traced(), Traced::from(2.0));
+    let axial = Traced::force("N_w", forces.axial);
+    let moment = Traced::symbol("M_w", forces.moment, Unit::Moment);
+    let rest = axial / l.clone() + Traced::from(6.0) * moment / l.clone().powi(2);
+    let across = rest / two.clone();
+    let along = Traced::force("V", vz.abs()) / two.clone() / l.clone();
+    let (force, before) = brought_by_the_web([across, along], web_strength(e) / two);
+    let worked = either_method(force, e.web_throat, steel);
+    Some(worked.after(before.then(length)).with("l_eff", l.value(), Unit::Length).against(
         Topic::Welds,
         subject,
-        demand,
+        force.resultant(),
         Status::Failed,
     ))
 }
 
-/// A force per length of one of two welds of a plate, reduced to what the plate yields with, and
-/// the part of the force that this is, at most 1. `most` is half of the strength of the plate per
-/// length in tension \[N/mm\].
-pub(super) fn web_yields(force: LineForce, most: f64) -> (LineForce, f64) {
-    let equivalent = (force.across.powi(2) + 3.0 * force.along.powi(2)).sqrt();
-    let part = if within(equivalent, most) { 1.0 } else { most / equivalent };
-    (LineForce { across: part * force.across, along: part * force.along }, part)
+/// Forces per length of one of the two welds of the web, reduced to what the web yields with, and
+/// their derivation up to F_w,Ed. `most` is half of the strength of the web per length \[N/mm\].
+fn brought_by_the_web([across, along]: [Traced; 2], most: Traced) -> (LineForce, Derivation) {
+    let line = |symbol: &'static str, of: Traced| Formula::new(symbol, of, Unit::ForcePerLength);
+    let bends = across.value() > 0.0;
+    let yields = yielding_part([across.clone(), along.clone()], most.clone()).value() < 1.0;
+    if !bends && !yields {
+        let along = line("F_w,Ed", along);
+        return (LineForce { across: 0.0, along: along.value }, along.into());
+    }
+    // forces across the weld stand only where there are any
+    let both = |along: &Formula, across: &Formula| {
+        let across = Some(across).filter(|_| bends);
+        let lines = [Some(along), across].into_iter().flatten();
+        lines.map(|of| Line::from(of.clone())).collect::<Vec<_>>()
+    };
+    let [s_across, s_along] = if yields { ["F_⊥,el", "F_∥,el"] } else { ["F_⊥", "F_∥"] };
+    let (mut across, mut along) = (line(s_across, across), line(s_along, along));
+    let mut lines = both(&along, &across);
+    if yields {
+        let part = yielding_part([across.traced(), along.traced()], most);
+        let part = Formula::new("η", part, Unit::Number);
+        across = line("F_⊥", part.traced() * across.traced());
+        along = line("F_∥", part.traced() * along.traced());
+        lines.extend([YIELDS.into(), part.into()]);
+        lines.extend(both(&along, &across));
+    }
+    let force = LineForce { across: across.value, along: along.value };
+    let (across, along) = (across.traced(), along.traced());
+    let together = if bends { (across.powi(2) + along.powi(2)).sqrt() } else { along };
+    // the resultant, which rounds in its own way
+    let demand = Formula { value: force.resultant(), ..line("F_w,Ed", together) };
+    lines.push(demand.into());
+    (force, Derivation { lines })
+}
+
+/// Part of the forces per length across and along one of two welds of a plate that the plate brings
+/// before it yields, at most 1: `F_y/√(F_⊥² + 3 F_∥²)`. `most` is F_y, half of the strength of the
+/// plate per length in tension \[N/mm\].
+pub(super) fn yielding_part([across, along]: [Traced; 2], most: Traced) -> Traced {
+    let equivalent = (across.powi(2) + Traced::from(3.0) * along.powi(2)).sqrt();
+    match within(equivalent.value(), most.value()) {
+        true => Traced::from(1.0),
+        false => most / equivalent,
+    }
+}
+
+/// Strength of the web per length in tension, `t_w f_y/γ_M0` \[N/mm\].
+pub(super) fn web_strength(e: &EndPlate) -> Traced {
+    Traced::length("t_w", e.beam.tw) * Traced::stress("f_y", e.beam_steel.fy)
+        / Traced::number("γ_M0", e.factors.gamma_m0)
 }
 
 /// Resistance of the welds of a flange, with their length.
@@ -196,15 +240,13 @@ pub(super) fn flange_resistance(e: &EndPlate, clause: &'static str) -> Option<Wo
     let full = full_strength_throat(e.beam.tf, e.beam_steel.fy, e.factors.gamma_m0, &steel);
     let length = weld_lengths::flange(e);
     let each = transverse(a, &steel);
-    let along = each.value * length.value.max(0.0);
-    let (value, formula) = if within(full.value, a) && most > along {
-        (
-            most,
-            format!("a = {} mm ≥ {} of full strength; F_Rd = b t_f f_y/γ_M0", n(a), full.formula),
-        )
-    } else {
-        let numbers = format!("{} · {}", n(each.value), n(length.value));
-        (along, format!("{}; {}; F_Rd = F_w,Rd l_eff = {numbers}", length.formula, each.formula))
-    };
-    Some(Worked::new(clause, "", value, Unit::Force, formula))
+    let along = each.traced() * weld_lengths::counted(&length);
+    let of = |value: Traced| Worked::of(clause, "", "F_Rd", value, Unit::Force);
+    Some(match within(full.value, a) && most.value() > along.value() {
+        true => {
+            let why = Derivation::from(welded_steel::as_strong(a, &full)).then(FULL_STRENGTH);
+            of(most).after(why)
+        }
+        false => of(along).after(Derivation::from(length).followed_by(each.derivation)),
+    })
 }

@@ -165,9 +165,9 @@ impl MethodRecord {
             stubs,
             limits: a.limits.iter().map(LimitRecord::new).collect(),
             moment: a.moment.value,
-            formula: a.moment.formula.clone(),
+            formula: a.moment.formula(),
             stiffness: a.stiffness.initial.steps.clone(),
-            initial_stiffness: a.stiffness.initial.formula.clone(),
+            initial_stiffness: a.stiffness.initial.formula(),
         }
     }
 }
@@ -252,11 +252,11 @@ impl LimitRecord {
             Summed::BeamFlange => "beam flange and web in compression",
             Summed::Panel => "column web panel in shear",
         };
-        let Worked { clause, formula, steps, value, .. } = &limit.worked;
+        let Worked { clause, steps, value, .. } = &limit.worked;
         Self {
             part: part.into(),
             clause: (*clause).into(),
-            formula: formula.clone(),
+            formula: limit.worked.formula(),
             values: steps.clone(),
             resistance: *value,
         }

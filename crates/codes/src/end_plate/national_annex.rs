@@ -1,8 +1,9 @@
 //! What a national annex changes beside the partial factors, and a list of what is not covered.
 
 use super::clamped_plates::clamped;
-use crate::check::{Check, Status, Topic, number as n};
+use crate::check::{Check, Status, Topic};
 use crate::ductility::plastic_distribution;
+use crate::formula::{Number, Traced};
 use bracket_joint::assembly::EndPlate;
 use bracket_joint::spec::code::FySource;
 
@@ -130,11 +131,12 @@ fn german_throats(e: &EndPlate) -> Vec<Check> {
         };
         (exists && a > 0.0 && t >= GERMAN_THIN).then(|| {
             let what = ("DIN EN 1993-1-8/NA, NCI to 4.5.2", "least throat beside the thicker part");
-            let rule = (t.sqrt() - 0.5, format!("√max t − 0.5 mm = √{} − 0.5 mm", n(t)));
+            let rule = Traced::length("t_max", t).sqrt() - Traced::from(0.5);
             let mut check =
                 Check::at_least((Topic::Welds, part), what, "a", rule, a, Status::Failed);
             if check.status == Status::Failed {
-                check.formula += "; welding conditions may waive it, then a ≥ 5 mm for t ≥ 30 mm";
+                let words = "welding conditions may waive it, then a ≥ 5 mm for t ≥ 30 mm";
+                check.derivation.lines.push(words.into());
             }
             check
         })

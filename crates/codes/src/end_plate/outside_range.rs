@@ -6,7 +6,8 @@
 //! (`component_method::rows`), which becomes an undecided check of each load case.
 
 use super::bolt_holes::{CLEARANCES, Clearance};
-use crate::check::{Check, Topic, Unit, number as n, within};
+use crate::check::{Check, Topic, Unit, within};
+use crate::formula::{Derivation, Formula, Line, Relation, Traced};
 use bracket_joint::assembly::EndPlate;
 use bracket_joint::assembly::strength::Strength;
 
@@ -62,7 +63,13 @@ fn parts(e: &EndPlate) -> Vec<Part<'_>> {
     out
 }
 
-fn undecided(topic: Topic, subject: &str, clause: &str, why: String, step: &str) -> Check {
+fn undecided(
+    topic: Topic,
+    subject: &str,
+    clause: &str,
+    why: impl Into<Derivation>,
+    step: &str,
+) -> Check {
     Check::undecided(topic, subject, clause, TITLE, why, step)
 }
 
@@ -98,20 +105,17 @@ fn named(grade: &str) -> f64 {
 /// Parts that are too thin for the rules of sections or of welds.
 fn thicknesses(parts: &[Part<'_>]) -> Vec<Check> {
     let check = |p: &Part<'_>| {
-        let show = Unit::Length.show(p.thickness);
+        let below = |least: f64| {
+            let limit = Formula::new("", Traced::from(least), Unit::Length);
+            let (symbol, relation) = ("t".into(), Relation::Below);
+            Derivation::from(Line::Comparison { symbol, value: p.thickness, relation, limit })
+        };
         let (topic, clause, why) = if !within(THINNEST, p.thickness) {
-            let why = format!(
-                "t = {show} < {} mm: thin-walled steel is the matter of EN 1993-1-3",
-                n(THINNEST)
-            );
+            let why = below(THINNEST).then("thin-walled steel is the matter of EN 1993-1-3");
             (Topic::Detailing, "EN 1993-1-1:2005 1.1.2(1)", why)
         } else if p.welded && !within(THINNEST_WELDED, p.thickness) {
-            let why = format!(
-                "t = {show} < {} mm of a welded part: welds of thinner material are the matter of \
-                 EN 1993-1-3",
-                n(THINNEST_WELDED)
-            );
-            (Topic::Welds, "EN 1993-1-8:2005 4.1(1)", why)
+            let words = "welds of thinner material are the matter of EN 1993-1-3";
+            (Topic::Welds, "EN 1993-1-8:2005 4.1(1)", below(THINNEST_WELDED).then(words))
         } else {
             return None;
         };

@@ -4,9 +4,11 @@
 use super::clamped_plates::clamped;
 use super::national_annex;
 use super::sense::Sense;
-use crate::check::{Check, Status, Unit, within};
+use crate::check::{Check, Status, within};
 use crate::component_method::equilibrium::SMALL_AXIAL;
 use crate::ductility::{Clamped, plastic_distribution, rotation_capacity};
+use crate::formula::{Derivation, Formula, Line, Number, Relation, Traced};
+use crate::unit::Unit;
 use bracket_joint::assembly::EndPlate;
 
 /// Grades covered by the rules of rotation capacity, EN 1993-1-8:2005 6.4.2(1).
@@ -39,7 +41,7 @@ struct PartRules {
 pub(super) struct RotationRules {
     parts: Vec<PartRules>,
     /// Reason why 6.4.2 does not cover the joint; `None` where it does.
-    not_covered: Option<String>,
+    not_covered: Option<Derivation>,
 }
 
 impl RotationRules {
@@ -84,10 +86,12 @@ impl RotationRules {
         let bends = |part: &str| limits.iter().any(|l| l.bending.contains(&part));
         let rules = |p: &PartRules| {
             let mut by_code = p.by_code.clone();
-            let no_row =
-                (!bends(p.part)).then(|| format!("bending of the {} limits no row", p.part));
-            if let Some(why) = self.not_covered.as_ref().or(no_row.as_ref()) {
-                by_code.formula += &format!("; {why}");
+            let no_row = || {
+                let words = || format!("bending of the {} limits no row", p.part).into();
+                (!bends(p.part)).then(words)
+            };
+            if let Some(why) = self.not_covered.clone().or_else(no_row) {
+                by_code.derivation = by_code.derivation.followed_by(why);
                 by_code.status = Status::Warning;
             }
             [by_code].into_iter().chain(p.by_annex.clone())
@@ -99,8 +103,10 @@ impl RotationRules {
     /// rules that do not hold.
     pub fn brittle(&self, limits: &[SenseLimits]) -> String {
         let rules = self.checks(limits);
-        let each: Vec<String> =
-            rules.iter().map(|c| format!("{}: {} ({})", c.subject, c.formula, c.clause)).collect();
+        let each: Vec<String> = rules
+            .iter()
+            .map(|c| format!("{}: {} ({})", c.subject, c.formula(), c.clause))
+            .collect();
         format!(
             "no rule of rotation capacity holds, so that bolts may break before the rows have \
              yielded as limit analysis takes them to: {}; plastic global analysis may not rely on \
@@ -113,16 +119,20 @@ impl RotationRules {
 }
 
 /// Reason why 6.4.2 does not cover the joint: its steels or its axial force.
-fn not_covered(e: &EndPlate) -> Option<String> {
+fn not_covered(e: &EndPlate) -> Option<Derivation> {
     let plastic = 1e2 * e.beam.area * e.beam_steel.fy / e.factors.gamma_m0;
+    let most = Traced::from(SMALL_AXIAL) * Traced::force("N_pl,Rd", plastic);
     let axial = e.actions.iter().map(|a| a.at(1.0)[0][0].abs()).fold(0.0, f64::max);
     let steels = [Some(&e.plate_steel), Some(&e.beam_steel), e.column.as_ref().map(|c| &c.steel)];
     let covered = |grade: &str| EN_6_4_2_STEELS.iter().any(|g| grade.starts_with(g));
     match steels.into_iter().flatten().find(|s| !covered(&s.grade)) {
-        Some(steel) => Some(format!("6.4.2 does not cover {}", steel.grade)),
-        None if !within(axial, SMALL_AXIAL * plastic) => {
-            Some(format!("6.4.2 does not cover N_Ed = {} > 0.05 N_pl,Rd", Unit::Force.show(axial)))
+        Some(steel) => Some(format!("6.4.2 does not cover {}", steel.grade).into()),
+        None if within(axial, most.value()) => None,
+        None => {
+            let limit = Formula::new("", most, Unit::Force);
+            let (symbol, relation) = ("N_Ed".into(), Relation::Above);
+            let beyond = Line::Comparison { symbol, value: axial, relation, limit };
+            Some(Derivation::from("6.4.2 does not cover the axial force").then(beyond))
         }
-        None => None,
     }
 }

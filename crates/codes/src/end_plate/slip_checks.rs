@@ -2,8 +2,9 @@
 
 use super::bolt_holes::Clearance;
 use super::hole_checks::holes;
-use crate::check::{Check, Status, Topic, Unit, number as n, within};
+use crate::check::{Check, Status, Topic, Unit, within};
 use crate::eurocode::slip::{preload, slip_resistance};
+use crate::formula::{Derivation, Formula, Number, Traced};
 use crate::worked::Worked;
 use bracket_joint::assembly::{EndPlate, PlaneActions};
 use bracket_joint::spec::connection::BoltCategory;
@@ -37,9 +38,11 @@ pub(super) fn slip(e: &EndPlate, a: &PlaneActions) -> Option<Check> {
     // with a category that must not slip, no friction means no resistance; without a category there
     // is nothing to check
     let preload = e.preload.filter(|_| e.mu > 0.0 || e.category.is_some())?;
-    let gamma = if a.state.is_ultimate() { e.factors.gamma_m3 } else { e.factors.gamma_m3_ser };
+    let gamma = match a.state.is_ultimate() {
+        true => ("γ_M3", e.factors.gamma_m3),
+        false => ("γ_M3,ser", e.factors.gamma_m3_ser),
+    };
     let [axial, vy, vz] = a.at(1.0)[0];
-    let shear = vy.hypot(vz);
     let bolts = 2.0 * e.rows.len() as f64;
     let Some(hole) = Clearance::of(e).slip() else {
         let why = "Table 3.6 has no k_s for holes wider than oversize";
@@ -53,12 +56,10 @@ pub(super) fn slip(e: &EndPlate, a: &PlaneActions) -> Option<Check> {
     };
     let mut worked = slip_resistance(hole, 1, e.mu, preload, axial.max(0.0) / bolts, gamma);
     worked.title = title;
-    worked.formula =
-        format!("V_Ed/n = {}/{}; {}", Unit::Force.show(shear), n(bolts), worked.formula);
-    if !a.state.is_ultimate() {
-        worked.formula = worked.formula.replace("γ_M3", "γ_M3,ser");
-    }
-    Some(worked.against(Topic::Bolts, a.end.clone(), shear / bolts, otherwise))
+    let shear = Traced::force("V_Ed", vy.hypot(vz)) / Traced::number("n_b", bolts);
+    let demand = shear.value();
+    let worked = worked.after(Formula::new("", shear, Unit::Force));
+    Some(worked.against(Topic::Bolts, a.end.clone(), demand, otherwise))
 }
 
 /// Slip factor of class A, EN 1993-1-8:2005 Table 3.7.
@@ -73,34 +74,26 @@ pub(super) fn assembly(e: &EndPlate) -> Vec<Check> {
         && e.actions.iter().all(|a| a.state.is_ultimate())
     {
         let title = "category B: no load case has `state: SLS`, so that slip is not checked";
-        let mut check = Worked::new(
-            "EN 1993-1-8:2005 3.4.1(3)",
-            title,
-            0.0,
-            Unit::Number,
-            "load cases of serviceability",
-        )
-        .information(Topic::Bolts, subject.clone());
-        (check.resistance, check.status) = (None, Status::Undecided);
-        out.push(check.decided_by("a load case with `state: SLS`"));
+        let why = "the spec has no load case of serviceability";
+        let (clause, step) = ("EN 1993-1-8:2005 3.4.1(3)", "a load case with `state: SLS`");
+        out.push(Check::undecided(Topic::Bolts, subject.clone(), clause, title, why, step));
     }
     let Some(force) = e.preload else { return out };
     if e.category.is_some() && !within(e.mu, HIGHEST_CLASS) {
         let title = "slip factor above class A: EN 1090-2 asks for a test of the surfaces";
-        let words = "μ of the spec; Table 3.7 has at most 0.5; μ";
-        let mut check = Worked::new("EN 1993-1-8:2005 Table 3.7", title, e.mu, Unit::Number, words)
-            .information(Topic::Bolts, subject.clone());
-        check.status = Status::Warning;
-        out.push(check);
+        let (clause, mu) = ("EN 1993-1-8:2005 Table 3.7", Traced::number("μ", e.mu));
+        let words = Derivation::from("μ of the spec").then("Table 3.7 has at most 0.5");
+        let worked = Worked::of(clause, title, "μ", mu, Unit::Number).after(words);
+        let check = worked.information(Topic::Bolts, subject.clone());
+        out.push(Check { status: Status::Warning, ..check });
     }
     if e.bolt.system == "ISO 4014" {
         let title = "preloaded bolts are assemblies of EN 14399: take a size `HR …` or `HV …`";
-        let words = format!("{} is of {}; F_p", e.bolt.size, e.bolt.standard);
-        let mut check =
-            Worked::new("EN 1993-1-8:2005 3.1.2(1), 1.2.4", title, force, Unit::Force, words)
-                .information(Topic::Bolts, subject.clone());
-        check.status = Status::Warning;
-        out.push(check);
+        let clause = "EN 1993-1-8:2005 3.1.2(1), 1.2.4";
+        let worked = Worked::of(clause, title, "F_p", Traced::force("F_p", force), Unit::Force)
+            .after(format!("{} is of {}", e.bolt.size, e.bolt.standard));
+        let check = worked.information(Topic::Bolts, subject.clone());
+        out.push(Check { status: Status::Warning, ..check });
     }
     let full = preload(&e.bolt, &e.grade);
     if e.category.is_some_and(|c| matches!(c, BoltCategory::B | BoltCategory::C))

@@ -8,13 +8,14 @@ use super::component_joint::component_joint;
 use super::doubler::doubler_fault;
 use super::member_end::{LoadedEnd, MemberEnd};
 use super::transformation::{beta, other_ends};
-use super::weld_lengths::{self, EffectiveLength};
+use super::weld_lengths;
 use super::welded_steel;
-use crate::check::{Check, Status, Topic, Unit, largest, number as n, within};
+use crate::check::{Check, Status, Topic, Unit, largest, within};
 use crate::component_method::assembly::Group;
 use crate::component_method::column_web::compressed_thickness;
 use crate::component_method::{Assessment, Summed, assess};
 use crate::eurocode::welds::{LineForce, either_method, full_strength_throat, least_size};
+use crate::formula::{Derivation, Formula, Number, Traced};
 use crate::worked::Worked;
 use bracket_joint::assembly::{ColumnSide, EndPlate, Way};
 use std::f64::consts::SQRT_2;
@@ -30,21 +31,21 @@ struct Stiffeners<'a> {
 }
 
 impl Stiffeners<'_> {
-    /// A_net f_y/γ_M0 of both sides of the web \[N\].
-    fn resistance(&self) -> f64 {
-        2.0 * contact(self.c) * self.c.stiffener * self.c.steel.fy / self.gamma_m0
+    /// A_net f_y/γ_M0 of both sides of the web \[N\], with the net width `b_net` of either.
+    fn resistance(&self) -> Traced {
+        Traced::from(2.0)
+            * Traced::length("b_net", contact(self.c))
+            * Traced::length("t_s", self.c.stiffener)
+            * self.yield_strength()
+            / self.gamma_m0()
     }
 
-    /// The formula of the resistance with its numbers.
-    fn formula(&self) -> String {
-        format!(
-            "A_net f_y/γ_M0 = 2 · {} · {} · {}/{} = {}",
-            n(contact(self.c)),
-            n(self.c.stiffener),
-            n(self.c.steel.fy),
-            n(self.gamma_m0),
-            Unit::Force.show(self.resistance())
-        )
+    fn yield_strength(&self) -> Traced {
+        Traced::stress("f_y", self.c.steel.fy)
+    }
+
+    fn gamma_m0(&self) -> Traced {
+        Traced::number("γ_M0", self.gamma_m0)
     }
 }
 
@@ -55,9 +56,16 @@ struct Share {
     /// Flange of the beam that they are level with.
     level: Way,
     /// Force of the stiffeners on both sides of the web.
-    force: f64,
-    /// Its formula with numbers.
-    formula: String,
+    force: Traced,
+}
+
+impl Share {
+    /// F_Ed of the welds: stiffeners bring no more than their net section carries.
+    fn brought(&self, s: &Stiffeners<'_>) -> Formula {
+        let (force, most) = (self.force.clone(), s.resistance());
+        let beyond = force.value() > most.value();
+        Formula::new("F_Ed", if beyond { force.min(most) } else { force }, Unit::Force)
+    }
 }
 
 /// Net section and welds of the stiffeners under a load case.
@@ -102,30 +110,23 @@ fn compression(
 ) -> Option<(Check, Share)> {
     let limit = bare.limit(Summed::ColumnWeb)?;
     let (width, kwc, omega) = (limit.step("b_eff")?, limit.step("k_wc")?, limit.step("ω")?);
-    let alone = omega * kwc * width * web * s.c.steel.fy / s.gamma_m0;
-    let force = loaded.push;
+    let alone = Traced::number("ω", omega)
+        * Traced::number("k_wc", kwc)
+        * Traced::length("b_eff", width)
+        * Traced::length("t_wc", web)
+        * s.yield_strength()
+        / s.gamma_m0();
     let both = alone + s.resistance();
-    let formula = format!(
-        "ω k_wc b_eff t_wc f_y/γ_M0 + A_net f_y/γ_M0 with {}: {} + {}",
-        s.formula(),
-        Unit::Force.show(alone),
-        Unit::Force.show(s.resistance()),
-    );
     let title = "crushing of the column web with the net section of its stiffeners";
-    let worked =
-        Worked::new("EN 1993-1-8:2005 6.2.6.2(4), SCI P398", title, both, Unit::Force, formula)
-            .with("b_eff", width, Unit::Length)
-            .with("ω", omega, Unit::Number);
-    let check =
-        worked.against(Topic::Member, loaded.place("compressed stiffeners"), force, Status::Failed);
-    let part = s.resistance() / both;
-    let formula = format!(
-        "F_Ed = F_c,Ed A_net f_y/(A_net f_y + ω k_wc b_eff t_wc f_y) = {} · {}",
-        Unit::Force.show(force),
-        n(part)
-    );
+    let clause = "EN 1993-1-8:2005 6.2.6.2(4), SCI P398";
+    let worked = Worked::of(clause, title, "F_Rd", both.clone(), Unit::Force)
+        .with("b_eff", width, Unit::Length)
+        .with("ω", omega, Unit::Number);
+    let place = loaded.place("compressed stiffeners");
+    let check = worked.against(Topic::Member, place, loaded.push, Status::Failed);
+    let force = s.resistance() / both * Traced::force("F_c,Ed", loaded.push);
     let level = loaded.end.sense.compressed();
-    Some((check, Share { side: "compressed stiffeners", level, force: part * force, formula }))
+    Some((check, Share { side: "compressed stiffeners", level, force }))
 }
 
 /// Net section of the stiffeners at the flange in tension, under the rows above and below: the
@@ -154,33 +155,28 @@ fn tension(
         &bare.rows.get(last)?.groups.iter().find(of)?.component
     };
     let m = 0.5 * (e.gauge - c.section.tw) - HINGE * c.section.r;
-    let (mut pull, mut bent, mut terms) = (0.0, 0.0, Vec::new());
+    let (mut pull, mut bent) = (Vec::new(), Vec::new());
     for (at, row) in near.iter().filter_map(|r| Some((*r, rows.get(*r)?))) {
-        let force = loaded.row_force(at);
         let m2 = (row.z - level).abs() - 0.5 * c.stiffener - HINGE * SQRT_2 * c.stiffener_throat;
-        pull += force;
-        bent += force * m / (m + m2);
-        terms.push(format!("{} · {}/({} + {})", Unit::Force.show(force), n(m), n(m), n(m2)));
+        let force = Traced::force("F_r", loaded.row_force(at));
+        let m = Traced::length("m", m);
+        pull.push(force.clone());
+        bent.push(force * m.clone() / (m + Traced::length("m2", m2)));
     }
-    let force = (pull - web.worked.value).max(bent);
-    let formula = format!(
-        "F_Ed = max(Σ F_r − F_t,wc,Rd, Σ F_r m/(m + m2)) = max({} − {}, {}) = {}",
-        Unit::Force.show(pull),
-        Unit::Force.show(web.worked.value),
-        terms.join(" + "),
-        Unit::Force.show(force)
-    );
+    let of_web = Traced::force("F_t,wc,Rd", web.worked.value);
+    let force = (Traced::series(pull) - of_web).max(Traced::series(bent));
+    let demand = force.value();
     let title = "net section of the stiffeners in tension";
     let clause = "EN 1993-1-8:2005 6.2.6.3, SCI P398";
-    let mut worked = Worked::new(clause, title, s.resistance(), Unit::Force, s.formula());
-    worked.formula = format!("{formula}; {}", s.formula());
+    let mut worked = Worked::of(clause, title, "F_Rd", s.resistance(), Unit::Force)
+        .after(Formula::new("F_Ed", force.clone(), Unit::Force));
     if let Some(width) = web.worked.step("b_eff") {
         worked = worked.with("b_eff of the web", width, Unit::Length);
     }
-    let check =
-        worked.against(Topic::Member, loaded.place("stiffeners in tension"), force, Status::Failed);
+    let place = loaded.place("stiffeners in tension");
+    let check = worked.against(Topic::Member, place, demand, Status::Failed);
     let level = loaded.end.sense.pulled();
-    Some((check, Share { side: "stiffeners in tension", level, force, formula }))
+    Some((check, Share { side: "stiffeners in tension", level, force }))
 }
 
 /// Width of one stiffener in contact with the flange of the column \[mm\].
@@ -189,7 +185,7 @@ fn contact(c: &ColumnSide) -> f64 {
 }
 
 /// Effective lengths of the fillet welds of a stiffener to the flange and to the web of the column.
-fn seam_lengths(e: &EndPlate, c: &ColumnSide) -> [EffectiveLength; 2] {
+fn seam_lengths(e: &EndPlate, c: &ColumnSide) -> [Formula; 2] {
     let along_web = c.section.h - 2.0 * (c.section.tf + c.stiffener_clip);
     [contact(c), along_web].map(|length| weld_lengths::run(e, length, c.stiffener_throat))
 }
@@ -215,7 +211,7 @@ pub(super) fn least_sizes(e: &EndPlate) -> Vec<Check> {
 fn doubler_throat(c: &ColumnSide) -> Option<Check> {
     let counts = c.doubler > 0.0 && c.doubler_throat > 0.0 && doubler_fault(c).is_none();
     let what = ("EN 1993-1-8:2005 6.2.6.3", "throat of the welds of a web doubler");
-    let rule = (c.doubler / SQRT_2, format!("t_s/√2 = {}/√2", n(c.doubler)));
+    let rule = Traced::length("t_s", c.doubler) / Traced::from(2.0).sqrt();
     let (topic, throat) = ((Topic::Welds, "web doubler"), c.doubler_throat);
     counts.then(|| Check::at_least(topic, what, "a", rule, throat, Status::Failed))
 }
@@ -242,7 +238,7 @@ fn stiffener_welds(
     let full = full_strength_throat(c.stiffener, c.steel.fy, s.gamma_m0, &steel);
     let seams = |share: &Share| 2.0 * seams(e, c, share.level);
     // compared as forces, so that welds without any effective length fail
-    let all = |count: f64, (force, words): (f64, String), across: bool, place: String| {
+    let all = |count: f64, (force, before): (f64, Derivation), across: bool, place: String| {
         let length = if across { &flange } else { &web };
         let l = length.value.max(0.0);
         let line = if l > 0.0 { force / (count * l) } else { 0.0 };
@@ -251,45 +247,29 @@ fn stiffener_welds(
             false => LineForce { across: 0.0, along: line },
         };
         let each = either_method(line, a, &steel);
-        let (mut value, mut clause) = (count * l * each.value, each.clause);
-        let mut formula = format!(
-            "{words}; {}; {}; F_Rd = {} l_eff F_w,Rd = {} · {} · {}",
-            length.formula,
-            each.formula,
-            n(count),
-            n(count),
-            n(length.value),
-            n(each.value)
-        );
+        let value = Traced::from(count) * weld_lengths::counted(length) * each.traced();
+        let title = "fillet welds of the column stiffeners";
+        let mut worked = Worked::of(each.clause, title, "F_Rd", value, Unit::Force)
+            .after(before.then(length.clone()).followed_by(each.derivation));
         // full strength by a weld on either side of each stiffener
         let both_sides = across && l > 0.0 && within(4.0, count);
-        if both_sides && !within(force, value) && within(full.value, a) {
-            (value, clause) = (s.resistance(), "EN 1993-1-8:2005 6.2.3(4)");
-            formula += &format!("; a = {} mm ≥ {}: F_Rd = A_net f_y/γ_M0", n(a), full.formula);
+        if both_sides && !within(force, worked.value) && within(full.value, a) {
+            worked = worked.then(welded_steel::as_strong(a, &full)).becomes("F_Rd", s.resistance());
+            worked.clause = "EN 1993-1-8:2005 6.2.3(4)";
         }
-        let title = "fillet welds of the column stiffeners";
-        let worked = Worked::new(clause, title, value, Unit::Force, formula);
         worked.against(Topic::Welds, place, force, Status::Failed)
-    };
-    // a stiffener brings no more than its net section carries
-    let brought = |share: &Share| {
-        let most = s.resistance();
-        let words = match within(share.force, most) {
-            true => share.formula.clone(),
-            false => format!("{}, at most {}", share.formula, s.formula()),
-        };
-        (share.force.min(most), words)
     };
     for share in shares {
         let place = loaded.place(&format!("{} to the column flange", share.side));
-        out.push(all(seams(share), brought(share), true, place));
+        let force = share.brought(s);
+        out.push(all(seams(share), (force.value, force.into()), true, place));
     }
     // the pair with the largest force on a seam
-    if let Some(share) = largest(shares, |s| s.force / seams(s)) {
-        let (force, _) = brought(share);
-        let words = format!("F_Ed = β F = {} · {}", n(beta), Unit::Force.show(force));
+    if let Some(share) = largest(shares, |s| s.force.value() / seams(s)) {
+        let force = Traced::force("F", share.brought(s).value);
+        let force = Formula::new("F_Ed", Traced::number("β", beta) * force, Unit::Force);
         let place = loaded.place(&format!("{} to the column web", share.side));
-        out.push(all(seams(share), (beta * force, words), false, place));
+        out.push(all(seams(share), (force.value, force.into()), false, place));
     }
     out
 }
@@ -324,24 +304,20 @@ pub(super) fn doubler_welds(end: &MemberEnd<'_>) -> Vec<Check> {
     };
     let other: f64 = other_ends(e, end.a).map(|o| o.at(1.0)[1][1]).sum();
     let panel = PanelShear::new(e, end.a, other, end.assessment.stiffness.lever);
-    let shear = panel.demand;
     // the plate brings no more than it yields with
-    let most = c.doubler * c.steel.fy / (3f64.sqrt() * e.factors.gamma_m0);
-    let flow = (shear * c.section.tw / area).min(most);
-    let mut worked = either_method(LineForce { across: 0.0, along: flow }, a, &steel);
-    worked.formula = format!(
-        "{}; F_w,Ed = min(V_wp,Ed (b_s t_wc/A_vc)/b_s, t_s f_y/(√3 γ_M0)) = min({} · {}/{}, {}); \
-         {}",
-        panel.formula,
-        Unit::Force.show(shear),
-        n(c.section.tw),
-        n(area),
-        Unit::ForcePerLength.show(most),
-        worked.formula
-    );
-    worked.clause = "EN 1993-1-8:2005 6.2.6.1, 4.5.3.3";
-    worked.title = "shear flow in the welds of a web doubler";
-    out.push(worked.against(Topic::Welds, subject, flow, Status::Failed));
+    let most = Traced::length("t_s", c.doubler) * Traced::stress("f_y", c.steel.fy)
+        / (Traced::from(3.0).sqrt() * Traced::number("γ_M0", e.factors.gamma_m0));
+    let flow = Traced::force("V_wp,Ed", panel.demand) * Traced::length("t_wc", c.section.tw)
+        / Traced::area("A_vc", area);
+    let flow = Formula::new("F_w,Ed", flow.min(most), Unit::ForcePerLength);
+    let demand = flow.value;
+    let line = LineForce { across: 0.0, along: demand };
+    let worked = Worked {
+        clause: "EN 1993-1-8:2005 6.2.6.1, 4.5.3.3",
+        title: "shear flow in the welds of a web doubler",
+        ..either_method(line, a, &steel).after(panel.derivation.then(flow))
+    };
+    out.push(worked.against(Topic::Welds, subject, demand, Status::Failed));
     out
 }
 
@@ -353,6 +329,6 @@ pub(super) fn rib_weld(e: &EndPlate) -> Option<Check> {
     let steel = welded_steel::of_the_beam(e).filter(|_| e.rib > 0.0 && e.rib_throat > 0.0)?;
     let full = full_strength_throat(e.rib, e.beam_steel.fy, e.factors.gamma_m0, &steel);
     let what = ("EN 1993-1-8:2005 4.5.3.2(6)", "throat of welds as strong as the rib");
-    let rule = (full.value, full.formula.split(" = ").nth(1).unwrap_or_default().to_owned());
+    let rule = welded_steel::full_throat(&full);
     Some(Check::at_least((Topic::Welds, "rib"), what, "a", rule, e.rib_throat, Status::Failed))
 }

@@ -4,9 +4,10 @@ use super::bolt_checks::bolt_tension;
 use super::bolt_rows::from_top;
 use super::component_joint::component_joint;
 use super::sense::Sense;
-use crate::check::{Check, Topic, Unit, number as n};
+use crate::check::{Check, Topic, Unit};
 use crate::component_method::assembly::RowForce;
 use crate::component_method::{Assessment, assess};
+use crate::formula::{Number, Traced};
 use crate::worked::Worked;
 use bracket_joint::assembly::EndPlate;
 
@@ -45,20 +46,16 @@ pub(super) fn tying(e: &EndPlate) -> Option<Check> {
                 .fold(f64::INFINITY, f64::min)
         })
         .collect();
-    let beam = 1e2 * e.beam.area * e.beam_steel.fu / GAMMA_MU;
-    let value = each.iter().sum::<f64>().min(beam);
-    if !value.is_finite() {
+    let beam = Traced::area("A", 1e2 * e.beam.area) * Traced::stress("f_u", e.beam_steel.fu)
+        / Traced::number("γ_Mu", GAMMA_MU);
+    let rows = Traced::series(each.iter().map(|f| Traced::force("F_tr,Rd,u", *f)));
+    let value = rows.min(beam);
+    if !value.value().is_finite() {
         return None;
     }
-    let terms: Vec<String> = each.iter().map(|f| Unit::Force.show(*f)).collect();
-    let formula = format!(
-        "N_Rd,u = min(Σ F_tr,Rd,u, A f_u/{}) = min({}, {})",
-        n(GAMMA_MU),
-        terms.join(" + "),
-        Unit::Force.show(beam)
-    );
     let title = "tying resistance, without welds";
-    let worked = Worked::new("EN 1991-1-7:2006 A.5, SCI P358", title, value, Unit::Force, formula);
+    let clause = "EN 1991-1-7:2006 A.5, SCI P358";
+    let worked = Worked::of(clause, title, "N_Rd,u", value, Unit::Force);
     Some(worked.information(Topic::Member, "end plate"))
 }
 

@@ -1,7 +1,9 @@
 //! Welds of the beam beside the rows in tension, and the strength they need so as not to limit the
 //! joint.
 
-use super::loaded_welds::{flange_resistance, flange_strength, web_yields};
+use super::loaded_welds::{
+    YIELDS, flange_lever, flange_resistance, flange_strength, web_strength, yielding_part,
+};
 use super::member_end::LoadedEnd;
 use super::sense::Sense;
 use super::weld_lengths;
@@ -9,8 +11,9 @@ use super::welded_steel;
 use crate::check::{Check, Status, Topic, Unit, largest, number as n, within};
 use crate::component_method::Assessment;
 use crate::eurocode::welds::{
-    LineForce, across_and_along, directional, full_strength_throat, least_size,
+    ThroatStress, WeldedSteel, directional, full_strength_throat, least_size,
 };
+use crate::formula::{Derivation, Formula, Line, Number, Traced};
 use crate::worked::Worked;
 use bracket_joint::assembly::EndPlate;
 
@@ -68,54 +71,56 @@ fn web_welds(
     force: impl Fn(usize) -> f64,
     shear: f64,
 ) -> Option<(Stretch, Worked)> {
-    let (throat, length) = (e.web_throat, weld_lengths::web(e));
+    let length = weld_lengths::web(e);
     let run = length.value;
-    let steel = welded_steel::of_the_beam(e).filter(|_| throat > 0.0 && run > 0.0)?;
-    let most = e.beam.tw * e.beam_steel.fy / e.factors.gamma_m0;
+    let steel = welded_steel::of_the_beam(e).filter(|_| e.web_throat > 0.0 && run > 0.0)?;
     let each = stretches(a, run).into_iter().map(|s| {
-        let pull: f64 = (s.first..=s.last).map(&force).sum();
-        let whole = LineForce { across: 0.5 * pull / s.width, along: 0.5 * shear / run };
-        let (line, part) = web_yields(whole, 0.5 * most);
-        let (capped, parallel) = (2.0 * line.across * s.width, line.along / throat);
-        let mut worked = directional(&across_and_along(capped, s.width, throat, parallel), &steel);
-        let mut bound = String::new();
-        if part < 1.0 {
-            let yields = match shear == 0.0 {
-                true => format!(
-                    "the web brings b_eff t_w f_y/γ_M0 = {} · {} · {}/{} = {}",
-                    n(s.width),
-                    n(e.beam.tw),
-                    n(e.beam_steel.fy),
-                    n(e.factors.gamma_m0),
-                    Unit::Force.show(capped)
-                ),
-                false => format!(
-                    "the web yields at {} of F and V, √((F/b_eff)² + 3 (V/l_eff)²) ≤ t_w f_y/γ_M0 \
-                     = {}",
-                    n(part),
-                    Unit::ForcePerLength.show(most)
-                ),
-            };
-            bound = format!(
-                "F = {}; {yields}; the rest, {}, goes through the flange; ",
-                Unit::Force.show(pull),
-                Unit::Force.show(pull - capped)
-            );
-        }
-        worked.formula = format!(
-            "{bound}σ⊥ = τ⊥ = F/(2 √2 a b_eff) = {}/(2 √2 · {} · {}), τ∥ = V/(2 a l_eff) = {}/(2 · \
-             {} · {}); {}",
-            Unit::Force.show(capped),
-            n(throat),
-            n(s.width),
-            Unit::Force.show(2.0 * line.along * run),
-            n(throat),
-            n(run),
-            worked.formula
-        );
+        let rows = (s.first..=s.last).map(|r| Traced::force("F_r", force(r)));
+        let worked = beside_rows(e, Traced::series(rows), shear, s.width, &length, &steel);
         (s, worked)
     });
     largest(each, |(_, worked)| worked.value)
+}
+
+/// The welds of the web under the force `pull` of rows \[N\] on `width` b_eff \[mm\] of them, and a
+/// shear force \[N\] over their whole length.
+fn beside_rows(
+    e: &EndPlate,
+    pull: Traced,
+    shear: f64,
+    width: f64,
+    length: &Formula,
+    steel: &WeldedSteel,
+) -> Worked {
+    let line = |symbol: &'static str, of: Traced| Formula::new(symbol, of, Unit::ForcePerLength);
+    let (two, a) = (Traced::from(2.0), Traced::length("a", e.web_throat));
+    let b_eff = Traced::length("b_eff", width);
+    let pull = Formula::new("F_Ed", pull, Unit::Force);
+    let across = line("F_⊥", pull.traced() / two.clone() / b_eff.clone());
+    let shear = Traced::force("V", shear) / two.clone() / length.traced();
+    let along = line("F_∥", shear.clone());
+    let part = yielding_part([across.traced(), along.traced()], web_strength(e) / two.clone());
+    let part = Formula::new("η", part, Unit::Number);
+    let capped = 2.0 * (part.value * across.value) * width;
+    let mut lines: Vec<Line> = Vec::new();
+    let mut parallel = shear;
+    if part.value < 1.0 {
+        parallel = part.traced() * along.traced();
+        // as the stress across the weld has it
+        let force = part.traced() * pull.traced();
+        let force = Formula { value: capped, ..Formula::new("F", force, Unit::Force) };
+        let rest = Unit::Force.show(pull.value - capped);
+        lines.extend([pull, across, along].map(Line::from));
+        lines.extend([YIELDS.into(), part.into(), force.into()]);
+        lines.push(format!("the rest, {rest}, goes through the flange").into());
+    }
+    let throat = two.clone() * two.sqrt() * a.clone() * b_eff;
+    let normal = Formula::new("σ⊥ = τ⊥", Traced::force("F", capped) / throat, Unit::Stress);
+    let parallel = Formula::new("τ∥", parallel / a, Unit::Stress);
+    let (across, along) = (normal.value, parallel.value);
+    let stress = ThroatStress { sigma_perp: across, tau_perp: across, tau_par: along };
+    lines.extend([normal, parallel].map(Line::from));
+    directional(&stress, steel).after(Derivation { lines })
 }
 
 /// The welds of the beam web beside the rows in tension: they carry the force of a row into the web
@@ -159,11 +164,10 @@ pub(super) fn not_the_weakest(
     let mut out = Vec::new();
     out.extend(of_the_flange(e, subject, a, otherwise));
     if e.web_throat == 0.0 {
-        let strength = e.beam.tw * e.beam_steel.fy / e.factors.gamma_m0;
-        let words =
-            "full penetration: as strong as the web (4.7.1), it limits no row; t_w f_y/γ_M0";
-        let title = "web weld no weaker than the rows in tension";
-        let worked = Worked::new(NOT_THE_WEAKEST, title, strength, Unit::ForcePerLength, words);
+        let words = "full penetration: as strong as the web (4.7.1), it limits no row";
+        let (title, unit) = ("web weld no weaker than the rows in tension", Unit::ForcePerLength);
+        let worked = Worked::of(NOT_THE_WEAKEST, title, "F_w,Rd", web_strength(e), unit);
+        let worked = worked.after(words);
         out.push(worked.information(Topic::Welds, format!("beam web, {subject}")));
     }
     // every row at its resistance, without shear force
@@ -182,38 +186,25 @@ pub(super) fn not_the_weakest(
 /// The part of [`not_the_weakest`] for the welds of the flange in tension.
 fn of_the_flange(e: &EndPlate, subject: &str, a: &Assessment, otherwise: Status) -> Vec<Check> {
     let place = format!("beam flange, {subject}");
-    let (joint, lever) = (a.moment.value, e.beam.h - e.beam.tf);
+    let joint = a.moment.value;
+    let title = "flange weld no weaker than the joint";
     if e.flange_throat == 0.0 {
-        let strength = flange_strength(e);
-        let words =
-            "full penetration: as strong as the flange (4.7.1), it limits no joint; b t_f f_y/γ_M0";
-        let worked = Worked::new(
-            NOT_THE_WEAKEST,
-            "flange weld no weaker than the joint",
-            strength,
-            Unit::Force,
-            words,
-        );
+        let words = "full penetration: as strong as the flange (4.7.1), it limits no joint";
+        let worked = Worked::of(NOT_THE_WEAKEST, title, "F_Rd", flange_strength(e), Unit::Force)
+            .after(words);
         return vec![worked.information(Topic::Welds, place)];
     }
     let Some(welds) = flange_resistance(e, NOT_THE_WEAKEST) else { return Vec::new() };
-    let flange = flange_strength(e);
-    let check = |clause, title, (moment, words): (f64, String), otherwise| {
-        let pull = moment / lever;
-        let mut worked = welds.clone();
-        (worked.clause, worked.title) = (clause, title);
-        worked.formula = format!(
-            "F_Ed = min({words}/(h − t_f), b t_f f_y/γ_M0) = min({}/{}, {}) = {}; {}",
-            Unit::Moment.show(moment),
-            Unit::Length.show(lever),
-            Unit::Force.show(flange),
-            Unit::Force.show(pull.min(flange)),
-            worked.formula
-        );
-        worked.against(Topic::Welds, place.clone(), pull.min(flange), otherwise)
+    let check = |clause, title, (moment, words): (Traced, Option<&str>), otherwise| {
+        let pull = (moment / flange_lever(e)).min(flange_strength(e));
+        let demand = pull.value();
+        let before = words.into_iter().fold(Derivation::default(), Derivation::then);
+        let before = before.then(Formula::new("F_Ed", pull, Unit::Force));
+        let worked = Worked { clause, title, ..welds.clone().after(before) };
+        worked.against(Topic::Welds, place.clone(), demand, otherwise)
     };
-    let title = "flange weld no weaker than the joint";
-    let mut out = vec![check(NOT_THE_WEAKEST, title, (joint, "M_j,Rd".to_owned()), otherwise)];
+    let of_joint = Traced::symbol("M_j,Rd", joint, Unit::Moment);
+    let mut out = vec![check(NOT_THE_WEAKEST, title, (of_joint.clone(), None), otherwise)];
     let plastic = 1e3 * e.beam.w_pl_y * e.beam_steel.fy / e.factors.gamma_m0;
     // no hinge rotates in the joint where the beam yields first, or in a sense that no load case
     // has
@@ -224,9 +215,10 @@ fn of_the_flange(e: &EndPlate, subject: &str, a: &Assessment, otherwise: Status)
     }
     for (alpha, frame) in OVERSTRENGTH {
         let title = "flange weld where a plastic hinge turns in the joint";
-        let moment = (alpha * joint).min(plastic);
-        let words = format!("min({} M_j,Rd, M_pl,Rd) ({frame})", n(alpha));
-        out.push(check("EN 1993-1-8:2005 6.2.3(5)", title, (moment, words), Status::Warning));
+        let of_beam = Traced::symbol("M_pl,Rd", plastic, Unit::Moment);
+        let moment = (Traced::from(alpha) * of_joint.clone()).min(of_beam);
+        let of = (moment, Some(frame));
+        out.push(check("EN 1993-1-8:2005 6.2.3(5)", title, of, Status::Warning));
     }
     out
 }

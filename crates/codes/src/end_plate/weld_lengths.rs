@@ -1,38 +1,25 @@
 //! Effective lengths of fillet welds: one rule for all welds, by `welds.ends` of the spec.
 
-use crate::check::{Check, Topic, Unit, number as n};
+use crate::check::{Check, Topic, Unit};
+use crate::formula::{Formula, Number, Traced};
 use bracket_joint::assembly::EndPlate;
 use bracket_joint::spec::welds::WeldEnds;
-use std::f64::consts::SQRT_2;
 
-/// Effective length of a weld with its derivation.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct EffectiveLength {
-    /// l_eff \[mm\]; negative where a run is shorter than its ends.
-    pub value: f64,
-    /// `l_eff = …` with symbols and numbers.
-    pub formula: String,
-}
-
-impl EffectiveLength {
-    fn new(symbols: &str, numbers: &str, value: f64) -> Self {
-        let formula = format!("l_eff = {symbols} = {numbers} = {}", Unit::Length.show(value));
-        Self { value, formula }
-    }
+/// l_eff \[mm\]; negative where a run is shorter than its ends.
+fn effective(length: Traced) -> Formula {
+    Formula::new("l_eff", length, Unit::Length)
 }
 
 /// A single run of a weld, `length` long \[mm\], with its throat \[mm\].
 ///
 /// # Source
 /// EN 1993-1-8:2005 4.5.1(1): l − 2 a, or l where the weld is full-size up to its ends.
-pub(super) fn run(e: &EndPlate, length: f64, throat: f64) -> EffectiveLength {
-    match e.welds.ends {
-        WeldEnds::AllRound => EffectiveLength::new("l", &n(length), length),
-        WeldEnds::Returned | WeldEnds::Open => {
-            let numbers = format!("{} − 2 · {}", n(length), n(throat));
-            EffectiveLength::new("l − 2 a", &numbers, length - 2.0 * throat)
-        }
-    }
+pub(super) fn run(e: &EndPlate, length: f64, throat: f64) -> Formula {
+    let l = Traced::length("l", length);
+    effective(match e.welds.ends {
+        WeldEnds::AllRound => l,
+        WeldEnds::Returned | WeldEnds::Open => l - Traced::from(2.0) * Traced::length("a", throat),
+    })
 }
 
 /// The welds of one flange of the beam: outside along its width, inside up to the root fillets.
@@ -41,24 +28,17 @@ pub(super) fn run(e: &EndPlate, length: f64, throat: f64) -> EffectiveLength {
 /// EN 1993-1-8:2005 4.5.1(1). A weld that is full-size round the tips has its ends at the root
 /// fillets alone; each loses a leg √2 a, more than the throat that the code asks. Open runs that
 /// are too short, 4.5.1(2), do not count.
-pub(super) fn flange(e: &EndPlate) -> EffectiveLength {
-    let (b, a) = (&e.beam, e.flange_throat);
-    let all = 2.0 * b.b - b.tw - 2.0 * b.r;
-    let (symbols, numbers) =
-        ("2 b − t_w − 2 r", format!("2 · {} − {} − 2 · {}", n(b.b), n(b.tw), n(b.r)));
-    match e.welds.ends {
-        WeldEnds::AllRound => EffectiveLength::new(symbols, &numbers, all),
-        WeldEnds::Returned => EffectiveLength::new(
-            &format!("{symbols} − 2√2 a"),
-            &format!("{numbers} − 2√2 · {}", n(a)),
-            all - 2.0 * SQRT_2 * a,
-        ),
-        WeldEnds::Open => EffectiveLength::new(
-            &format!("{symbols} − 6 a"),
-            &format!("{numbers} − 6 · {}", n(a)),
-            all - 6.0 * a,
-        ),
-    }
+pub(super) fn flange(e: &EndPlate) -> Formula {
+    let [b, t_w, r, a] =
+        [("b", e.beam.b), ("t_w", e.beam.tw), ("r", e.beam.r), ("a", e.flange_throat)]
+            .map(|(symbol, value)| Traced::length(symbol, value));
+    let n = Traced::from;
+    let all = n(2.0) * b - t_w - n(2.0) * r;
+    effective(match e.welds.ends {
+        WeldEnds::AllRound => all,
+        WeldEnds::Returned => all - n(2.0) * n(2.0).sqrt() * a,
+        WeldEnds::Open => all - n(6.0) * a,
+    })
 }
 
 /// Length of the shortest of the welds of a flange that stand alone, for 4.5.1(2) \[mm\]: outside
@@ -77,8 +57,14 @@ pub(super) fn web_depth(e: &EndPlate) -> f64 {
 }
 
 /// Each of the two welds of the beam web, between the root fillets.
-pub(super) fn web(e: &EndPlate) -> EffectiveLength {
+pub(super) fn web(e: &EndPlate) -> Formula {
     run(e, web_depth(e), e.web_throat)
+}
+
+/// l_eff as a factor of a resistance, no less than 0.
+pub(super) fn counted(length: &Formula) -> Traced {
+    let l = length.traced();
+    if length.value > 0.0 { l } else { l.max(Traced::from(0.0)) }
 }
 
 /// The rule that the checks follow; `None` for a joint without fillet welds.

@@ -1,6 +1,9 @@
-//! Steel for which the fillet welds of a part are designed.
+//! Steel for which the fillet welds of a part are designed, and throats of full strength.
 
+use crate::check::Unit;
 use crate::eurocode::welds::WeldedSteel;
+use crate::formula::{Formula, Line, Relation, Traced};
+use crate::worked::Worked;
 use bracket_joint::assembly::{ColumnSide, EndPlate};
 
 /// Steel of the welds between beam and end plate: the weaker of the parts joined. `None` for grades
@@ -13,4 +16,16 @@ pub(super) fn of_the_beam(e: &EndPlate) -> Option<WeldedSteel> {
 /// Steel of the welds on the column.
 pub(super) fn of_the_column(e: &EndPlate, c: &ColumnSide) -> Option<WeldedSteel> {
     Some(WeldedSteel { fu: c.steel.fu, beta_w: c.steel.beta_w?, gamma_m2: e.factors.gamma_m2 })
+}
+
+/// The throat of full strength, written out; `full` is that of
+/// [`full_strength_throat`](crate::eurocode::welds::full_strength_throat).
+pub(super) fn full_throat(full: &Worked) -> Traced {
+    full.derivation.formulas().last().map_or_else(|| full.traced(), Traced::from)
+}
+
+/// A throat `a` \[mm\] that is at least that of full strength.
+pub(super) fn as_strong(a: f64, full: &Worked) -> Line {
+    let limit = Formula::new("", full_throat(full), Unit::Length);
+    Line::Comparison { symbol: "a".into(), value: a, relation: Relation::AtLeast, limit }
 }

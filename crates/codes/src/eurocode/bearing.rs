@@ -1,6 +1,7 @@
 //! Bearing of plates against bolts: EN 1993-1-8:2005 Table 3.4.
 
-use crate::check::{Unit, number as n};
+use crate::formula::{Number, Traced};
+use crate::unit::Unit;
 use crate::worked::Worked;
 
 /// Position of a bolt in the direction of the force.
@@ -61,40 +62,30 @@ impl Bearing {
     /// EN 1993-1-8:2005 Table 3.4 with its notes 1 (holes); the p2 term of edge bolts after the
     /// corrigendum of 2009.
     pub fn resistance(&self, gamma_m2: f64) -> Worked {
+        let n = Traced::from;
+        let d0 = || Traced::length("d0", self.d0);
         let alpha_d = match self.along {
-            Along::End { e1 } => e1 / (3.0 * self.d0),
-            Along::Inner { p1 } => p1 / (3.0 * self.d0) - 0.25,
+            Along::End { e1 } => Traced::length("e1", e1) / (n(3.0) * d0()),
+            Along::Inner { p1 } => Traced::length("p1", p1) / (n(3.0) * d0()) - n(0.25),
         };
-        let alpha_b = alpha_d.min(self.fub / self.fu).min(1.0);
-        let edge = 2.8 * self.e2 / self.d0 - 1.7;
-        let inner = 1.4 * self.p2 / self.d0 - 1.7;
-        let k1 = edge.min(inner).min(2.5);
-        let factor = match self.hole {
-            Hole::Normal => 1.0,
-            Hole::Oversize => 0.8,
+        let alpha_d = alpha_d.named("α_d", Unit::Number);
+        let f_u = Traced::stress("f_u", self.fu);
+        let strengths = Traced::stress("f_ub", self.fub) / f_u.clone();
+        let alpha_b = alpha_d.clone().min(strengths).min(n(1.0)).named("α_b", Unit::Number);
+        let edge = n(2.8) * Traced::length("e2", self.e2) / d0() - n(1.7);
+        let inner = n(1.4) * Traced::length("p2", self.p2) / d0() - n(1.7);
+        let k1 = edge.min(inner).min(n(2.5)).named("k1", Unit::Number);
+        let factors = match self.hole {
+            Hole::Normal => k1.clone(),
+            Hole::Oversize => Traced::number("β", 0.8) * k1.clone(),
         };
+        let (d, t) = (Traced::length("d", self.d), Traced::length("t", self.thickness));
+        let gamma = Traced::number("γ_M2", gamma_m2);
+        let value = factors * alpha_b.clone() * f_u * d * t / gamma;
         // below the least distances of Table 3.3 the factors can turn negative
-        let value = (factor * k1 * alpha_b * self.fu * self.d * self.thickness / gamma_m2).max(0.0);
-        let (words, hole) =
-            if factor == 1.0 { (String::new(), "") } else { (format!("{} · ", n(factor)), "β ") };
-        let formula = format!(
-            "F_b,Rd = {hole}k1 α_b f_u d t / γ_M2 = {words}{} · {} · {} · {} · {} / {}",
-            n(k1),
-            n(alpha_b),
-            n(self.fu),
-            n(self.d),
-            n(self.thickness),
-            n(gamma_m2)
-        );
-        Worked::new(
-            "EN 1993-1-8:2005 Table 3.4",
-            "bearing resistance at a bolt",
-            value,
-            Unit::Force,
-            formula,
-        )
-        .with("α_d", alpha_d, Unit::Number)
-        .with("α_b", alpha_b, Unit::Number)
-        .with("k1", k1, Unit::Number)
+        let value = if value.value() >= 0.0 { value } else { value.max(n(0.0)) };
+        let title = "bearing resistance at a bolt";
+        Worked::of("EN 1993-1-8:2005 Table 3.4", title, "F_b,Rd", value, Unit::Force)
+            .with_symbols([&alpha_d, &alpha_b, &k1])
     }
 }

@@ -1,6 +1,7 @@
 //! Block tearing: EN 1993-1-8:2005 3.10.2.
 
-use crate::check::{Unit, number as n};
+use crate::formula::{Number, Traced};
+use crate::unit::Unit;
 use crate::worked::Worked;
 
 /// Blocks of a plate that a bolt group tears out together, each with one face in tension and one in
@@ -31,18 +32,11 @@ impl Blocks {
     pub fn resistance(&self, gamma_m0: f64, gamma_m2: f64) -> Worked {
         let area = |length: f64| self.count * length.max(0.0) * self.thickness;
         let (tension, shear) = (area(self.tension), area(self.shear));
-        let value = self.fu * tension / gamma_m2 + self.fy * shear / (3f64.sqrt() * gamma_m0);
-        let formula = format!(
-            "V_eff,1,Rd = f_u A_nt/γ_M2 + f_y A_nv/(√3 γ_M0) = {} · {}/{} + {} · {}/(√3 · {})",
-            n(self.fu),
-            n(tension),
-            n(gamma_m2),
-            n(self.fy),
-            n(shear),
-            n(gamma_m0)
-        );
-        Worked::new("EN 1993-1-8:2005 3.10.2(2)", "block tearing", value, Unit::Force, formula)
-            .with("A_nt", tension, Unit::Area)
-            .with("A_nv", shear, Unit::Area)
+        let [a_nt, a_nv] = [("A_nt", tension), ("A_nv", shear)].map(|(a, v)| Traced::area(a, v));
+        let [f_u, f_y] = [("f_u", self.fu), ("f_y", self.fy)].map(|(f, v)| Traced::stress(f, v));
+        let [m0, m2] = [("γ_M0", gamma_m0), ("γ_M2", gamma_m2)].map(|(g, v)| Traced::number(g, v));
+        let value = f_u * a_nt.clone() / m2 + f_y * a_nv.clone() / (Traced::from(3.0).sqrt() * m0);
+        let (clause, title) = ("EN 1993-1-8:2005 3.10.2(2)", "block tearing");
+        Worked::of(clause, title, "V_eff,1,Rd", value, Unit::Force).with_symbols([&a_nt, &a_nv])
     }
 }

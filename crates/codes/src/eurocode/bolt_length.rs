@@ -1,6 +1,8 @@
 //! Length of a bolt for the thickness that it clamps.
 
-use crate::check::{Check, Status, Topic, Unit, number as n, within};
+use crate::check::{Check, Status, Topic, within};
+use crate::formula::Traced;
+use crate::unit::Unit;
 use crate::worked::Worked;
 use bracket_joint::catalog::BoltSize;
 
@@ -27,16 +29,11 @@ pub fn elongation_length(bolt: &BoltSize, grip: f64, washers: u32) -> f64 {
 /// # Source
 /// EN 1090-2 8.2.2: one full thread protrudes from the nut.
 pub fn least_length(bolt: &BoltSize, grip: f64, washers: u32) -> Worked {
-    let (t, m, p) = (bolt.washer_thickness, bolt.nut_height, bolt.pitch);
-    let value = grip + f64::from(washers) * t + m + p;
-    let formula = format!(
-        "l = grip + washers + nut + pitch = {} + {washers} · {} + {} + {}",
-        n(grip),
-        n(t),
-        n(m),
-        n(p)
-    );
-    Worked::new("EN 1090-2 8.2.2", "least length of the bolt", value, Unit::Length, formula)
+    let length = |name: &'static str, value: f64| Traced::length(name, value);
+    let washers = Traced::number("n_w", f64::from(washers)) * length("t_w", bolt.washer_thickness);
+    let (nut, pitch) = (length("nut", bolt.nut_height), length("pitch", bolt.pitch));
+    let value = length("grip", grip) + washers + nut + pitch;
+    Worked::of("EN 1090-2 8.2.2", "least length of the bolt", "l", value, Unit::Length)
 }
 
 /// The shortest stocked length that suffices \[mm\]; `None` beyond the longest.
@@ -65,19 +62,11 @@ pub fn thread_length(bolt: &BoltSize, length: f64) -> f64 {
 /// EN 1090-2 8.2.2: one full thread at least stays free between the bearing face of the nut and the
 /// unthreaded shank.
 pub fn shank_check(subject: &str, bolt: &BoltSize, length: f64, grip: f64, washers: u32) -> Check {
-    let shank = length - thread_length(bolt, length);
-    let rule = (
-        shank + bolt.pitch,
-        format!("l − b + pitch = {} − {} + {}", n(length), n(length - shank), n(bolt.pitch)),
-    );
+    let [l, b] = [("l", length), ("b", thread_length(bolt, length))];
+    let rule =
+        Traced::length(l.0, l.1) - Traced::length(b.0, b.1) + Traced::length("pitch", bolt.pitch);
     let clamped = grip + f64::from(washers) * bolt.washer_thickness;
     let title = ("EN 1090-2 8.2.2", "free thread under the nut");
-    Check::at_least(
-        (Topic::Detailing, subject),
-        title,
-        "grip + washers",
-        rule,
-        clamped,
-        Status::Failed,
-    )
+    let of = (Topic::Detailing, subject);
+    Check::at_least(of, title, "grip + washers", rule, clamped, Status::Failed)
 }

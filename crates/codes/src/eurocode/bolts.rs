@@ -1,77 +1,63 @@
 //! Tension and shear of single bolts: EN 1993-1-8:2005 Table 3.4.
 
-use crate::check::{Unit, number as n};
+use crate::formula::{Number, Traced};
+use crate::unit::Unit;
 use crate::worked::Worked;
 use bracket_joint::assembly::inputs::K2;
 use bracket_joint::catalog::{BoltGrade, BoltSize};
 
-/// Design tension resistance of one bolt \[N\].
-///
-/// `F_t,Rd = k2 f_ub A_s / γ_M2`, k2 = 0.9.
+/// Design tension resistance of one bolt, `F_t,Rd = k2 f_ub A_s/γ_M2` \[N\].
 ///
 /// # Source
 /// EN 1993-1-8:2005 Table 3.4.
-pub fn tension_resistance(bolt: &BoltSize, grade: &BoltGrade, gamma_m2: f64) -> Worked {
-    let value = K2 * grade.fub * bolt.stress_area / gamma_m2;
-    let formula = format!(
-        "F_t,Rd = k2 f_ub A_s / γ_M2 = {} · {} · {} / {}",
-        n(K2),
-        n(grade.fub),
-        n(bolt.stress_area),
-        n(gamma_m2)
-    );
-    Worked::new(
-        "EN 1993-1-8:2005 Table 3.4",
-        "tension resistance of a bolt",
-        value,
-        Unit::Force,
-        formula,
-    )
-    .with("k2", K2, Unit::Number)
-    .with("A_s", bolt.stress_area, Unit::Area)
+pub fn f_t_rd<N: Number>(k2: N, f_ub: N, a_s: N, gamma_m2: N) -> N {
+    k2 * f_ub * a_s / gamma_m2
 }
 
-/// Reduction β_Lf of the shear resistance of all bolts of a long joint; `length` L_j between the
-/// end bolts in the direction of the force \[mm\], `d` of the bolt \[mm\].
+/// Design shear resistance of one bolt per shear plane, the thread in the plane, `F_v,Rd = α_v f_ub
+/// A_s/γ_M2` \[N\].
 ///
-/// `β_Lf = 1 − (L_j − 15 d)/(200 d)`, between 0.75 and 1.
+/// # Source
+/// EN 1993-1-8:2005 Table 3.4.
+pub fn f_v_rd<N: Number>(alpha_v: N, f_ub: N, a_s: N, gamma_m2: N) -> N {
+    alpha_v * f_ub * a_s / gamma_m2
+}
+
+/// Reduction of the shear resistance of all bolts of a long joint, `β_Lf = 1 − (L_j − 15 d)/(200
+/// d)`, between 0.75 and 1; `length` L_j between the end bolts in the direction of the force
+/// \[mm\], `d` of the bolt \[mm\].
 ///
 /// # Source
 /// EN 1993-1-8:2005 3.8(1), formula 3.5.
-pub fn long_joint(length: f64, d: f64) -> Worked {
-    let value = (1.0 - (length - 15.0 * d) / (200.0 * d)).clamp(0.75, 1.0);
-    let formula = format!(
-        "β_Lf = 1 − (L_j − 15 d)/(200 d) = 1 − ({} − 15 · {})/(200 · {})",
-        n(length),
-        n(d),
-        n(d)
-    );
-    Worked::new("EN 1993-1-8:2005 3.8(1)", "long joint", value, Unit::Number, formula)
+pub fn beta_lf<N: Number>(length: N, d: N) -> N {
+    let n = N::from;
+    let beta = n(1.0) - (length - n(15.0) * d.clone()) / (n(200.0) * d);
+    beta.max(n(0.75)).min(n(1.0))
 }
 
-/// Design shear resistance of one bolt per shear plane, the thread in the plane \[N\].
-///
-/// `F_v,Rd = α_v f_ub A_s / γ_M2`.
-///
-/// # Source
-/// EN 1993-1-8:2005 Table 3.4.
+/// [`f_t_rd`] of a bolt.
+pub fn tension_resistance(bolt: &BoltSize, grade: &BoltGrade, gamma_m2: f64) -> Worked {
+    let (k2, a_s) = (Traced::number("k2", K2), Traced::area("A_s", bolt.stress_area));
+    let (f_ub, gamma) = (Traced::stress("f_ub", grade.fub), Traced::number("γ_M2", gamma_m2));
+    let value = f_t_rd(k2.clone(), f_ub, a_s.clone(), gamma);
+    let title = "tension resistance of a bolt";
+    Worked::of("EN 1993-1-8:2005 Table 3.4", title, "F_t,Rd", value, Unit::Force)
+        .with_symbols([&k2, &a_s])
+}
+
+/// [`beta_lf`] of a joint.
+pub fn long_joint(length: f64, d: f64) -> Worked {
+    let value = beta_lf(Traced::length("L_j", length), Traced::length("d", d));
+    Worked::of("EN 1993-1-8:2005 3.8(1)", "long joint", "β_Lf", value, Unit::Number)
+}
+
+/// [`f_v_rd`] of a bolt.
 pub fn shear_resistance(bolt: &BoltSize, grade: &BoltGrade, gamma_m2: f64) -> Worked {
-    let (alpha_v, area) = (grade.alpha_v_thread, bolt.stress_area);
-    let value = alpha_v * grade.fub * area / gamma_m2;
-    let formula = format!(
-        "F_v,Rd = α_v f_ub A_s / γ_M2 = {} · {} · {} / {}",
-        n(alpha_v),
-        n(grade.fub),
-        n(area),
-        n(gamma_m2)
-    );
-    Worked::new(
-        "EN 1993-1-8:2005 Table 3.4",
-        "shear resistance of a bolt, per plane",
-        value,
-        Unit::Force,
-        formula,
-    )
-    .with("α_v", alpha_v, Unit::Number)
-    .with("A_s", area, Unit::Area)
+    let alpha_v = Traced::number("α_v", grade.alpha_v_thread);
+    let a_s = Traced::area("A_s", bolt.stress_area);
+    let (f_ub, gamma) = (Traced::stress("f_ub", grade.fub), Traced::number("γ_M2", gamma_m2));
+    let value = f_v_rd(alpha_v.clone(), f_ub, a_s.clone(), gamma);
+    let title = "shear resistance of a bolt, per plane";
+    Worked::of("EN 1993-1-8:2005 Table 3.4", title, "F_v,Rd", value, Unit::Force)
+        .with_symbols([&alpha_v, &a_s])
 }

@@ -1,6 +1,7 @@
 //! Shear and tension together: EN 1993-1-8:2005 Table 3.4.
 
-use crate::check::{Unit, number as n};
+use crate::formula::{Number, Traced};
+use crate::unit::Unit;
 use crate::worked::Worked;
 
 /// Forces and resistances of one bolt \[N\].
@@ -24,26 +25,11 @@ pub struct Forces {
 /// # Source
 /// EN 1993-1-8:2005 Table 3.4, Table 3.2.
 pub fn utilisation(f: &Forces) -> Worked {
-    let (v, t) = (f.shear / f.shear_resistance, f.tension / f.tension_resistance);
-    let both = v + t / 1.4;
-    let kn = |x: f64| n(x * 1e-3);
-    let formula = format!(
-        "max(F_v,Ed/F_v,Rd + F_t,Ed/(1.4 F_t,Rd), F_t,Ed/F_t,Rd) = max({}/{} + {}/(1.4 · {}), \
-         {}/{})",
-        kn(f.shear),
-        kn(f.shear_resistance),
-        kn(f.tension),
-        kn(f.tension_resistance),
-        kn(f.tension),
-        kn(f.tension_resistance)
-    );
-    Worked::new(
-        "EN 1993-1-8:2005 Table 3.4",
-        "shear and tension of a bolt",
-        both.max(t),
-        Unit::Number,
-        formula,
-    )
-    .with("F_v,Ed/F_v,Rd", v, Unit::Number)
-    .with("F_t,Ed/F_t,Rd", t, Unit::Number)
+    let v = Traced::force("F_v,Ed", f.shear) / Traced::force("F_v,Rd", f.shear_resistance);
+    let t = Traced::force("F_t,Ed", f.tension) / Traced::force("F_t,Rd", f.tension_resistance);
+    let used = [("F_v,Ed/F_v,Rd", v.value()), ("F_t,Ed/F_t,Rd", t.value())];
+    let value = (v + t.clone() / Traced::from(1.4)).max(t);
+    let title = "shear and tension of a bolt";
+    let worked = Worked::of("EN 1993-1-8:2005 Table 3.4", title, "", value, Unit::Number);
+    used.into_iter().fold(worked, |w, (symbol, value)| w.with(symbol, value, Unit::Number))
 }

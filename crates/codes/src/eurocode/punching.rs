@@ -1,6 +1,7 @@
 //! Punching of a bolt head or nut through a plate: EN 1993-1-8:2005 Table 3.4.
 
-use crate::check::{Unit, number as n};
+use crate::formula::Traced;
+use crate::unit::Unit;
 use crate::worked::Worked;
 use bracket_joint::catalog::BoltSize;
 use std::f64::consts::PI;
@@ -23,20 +24,10 @@ pub fn mean_diameter(bolt: &BoltSize) -> f64 {
 /// # Source
 /// EN 1993-1-8:2005 Table 3.4.
 pub fn punching_resistance(dm: f64, thickness: f64, fu: f64, gamma_m2: f64) -> Worked {
-    let value = 0.6 * PI * dm * thickness * fu / gamma_m2;
-    let formula = format!(
-        "B_p,Rd = 0.6 π d_m t_p f_u / γ_M2 = 0.6 π · {} · {} · {} / {}",
-        n(dm),
-        n(thickness),
-        n(fu),
-        n(gamma_m2)
-    );
-    Worked::new(
-        "EN 1993-1-8:2005 Table 3.4",
-        "punching resistance at a bolt",
-        value,
-        Unit::Force,
-        formula,
-    )
-    .with("d_m", dm, Unit::Length)
+    let (d_m, t_p) = (Traced::length("d_m", dm), Traced::length("t_p", thickness));
+    let (f_u, gamma) = (Traced::stress("f_u", fu), Traced::number("γ_M2", gamma_m2));
+    let value = Traced::from(0.6) * Traced::number("π", PI) * d_m.clone() * t_p * f_u / gamma;
+    let title = "punching resistance at a bolt";
+    Worked::of("EN 1993-1-8:2005 Table 3.4", title, "B_p,Rd", value, Unit::Force)
+        .with_symbols([&d_m])
 }

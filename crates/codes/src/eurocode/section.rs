@@ -2,8 +2,10 @@
 //! axial force is positive in tension.
 
 use super::i_section::Section;
-use crate::check::{Unit, number as n, within};
+use crate::check::within;
 use crate::error::CheckError;
+use crate::formula::{Number, Traced};
+use crate::unit::{Unit, number as n};
 use crate::worked::Worked;
 
 /// Factor ε = √(235/f_y).
@@ -67,8 +69,8 @@ impl Slenderness {
 ///
 /// # Source
 /// EN 1993-1-1:2005 6.2.6(2), formula 6.18.
-pub fn plastic_shear(shear_area: f64, fy: f64, gamma_m0: f64) -> f64 {
-    shear_area * fy / (3f64.sqrt() * gamma_m0)
+pub fn plastic_shear<N: Number>(shear_area: N, fy: N, gamma_m0: N) -> N {
+    shear_area * fy / (N::from(3.0).sqrt() * gamma_m0)
 }
 
 /// Reduction ρ of the strength of the shear area beside a shear force, `ratio` = V_Ed/V_pl,Rd:
@@ -76,8 +78,9 @@ pub fn plastic_shear(shear_area: f64, fy: f64, gamma_m0: f64) -> f64 {
 ///
 /// # Source
 /// EN 1993-1-1:2005 6.2.8(2) and (3).
-pub fn shear_reduction(ratio: f64) -> f64 {
-    if ratio > 0.5 { (2.0 * ratio - 1.0).powi(2) } else { 0.0 }
+pub fn shear_reduction<N: Number>(ratio: N) -> N {
+    let n = N::from;
+    if ratio.value() > 0.5 { (n(2.0) * ratio - n(1.0)).powi(2) } else { n(0.0) }
 }
 
 /// Plastic section modulus that a shear force leaves \[mm³\], `W_pl − ρ A_w²/(4 t_w)` with
@@ -86,8 +89,12 @@ pub fn shear_reduction(ratio: f64) -> f64 {
 /// # Source
 /// EN 1993-1-1:2005 6.2.8(5), formula 6.30.
 pub fn reduced_modulus(s: &Section, rho: f64) -> f64 {
-    let web = s.web_depth() * s.tw;
-    s.w_pl - rho * web * web / (4.0 * s.tw)
+    modulus_beside_shear(s.w_pl, rho, s.web_depth() * s.tw, s.tw)
+}
+
+/// The formula of [`reduced_modulus`]; `web` is A_w.
+pub fn modulus_beside_shear<N: Number>(w_pl: N, rho: N, web: N, tw: N) -> N {
+    w_pl - rho * web.clone() * web / (N::from(4.0) * tw)
 }
 
 /// λ̄_w and χ_w of a web in shear, `depth` h_w and `web` t_w \[mm\], stiffened at its supports
@@ -132,18 +139,18 @@ impl CrossSection {
     }
 
     fn plastic_shear(&self, title: &'static str, area: f64) -> Worked {
-        let value = plastic_shear(area, self.fy, self.gamma_m0);
-        let formula = format!(
-            "V_pl,Rd = A_v f_y/(√3 γ_M0) = {} · {}/(√3 · {})",
-            n(area),
-            n(self.fy),
-            n(self.gamma_m0)
-        );
-        Worked::new("EN 1993-1-1:2005 6.2.6(2)", title, value, Unit::Force, formula).with(
-            "A_v",
-            area,
-            Unit::Area,
-        )
+        let a_v = Traced::area("A_v", area);
+        let value = plastic_shear(a_v.clone(), self.f_y(), self.gamma_m0());
+        Worked::of("EN 1993-1-1:2005 6.2.6(2)", title, "V_pl,Rd", value, Unit::Force)
+            .with_symbols([&a_v])
+    }
+
+    fn f_y(&self) -> Traced {
+        Traced::stress("f_y", self.fy)
+    }
+
+    fn gamma_m0(&self) -> Traced {
+        Traced::number("γ_M0", self.gamma_m0)
     }
 
     /// Plastic resistance to an axial force \[N\], `N_pl,Rd = A f_y/γ_M0`.
@@ -151,20 +158,9 @@ impl CrossSection {
     /// # Source
     /// EN 1993-1-1:2005 6.2.3(2), 6.2.4(2).
     pub fn axial(&self) -> Worked {
-        let value = self.section.area * self.fy / self.gamma_m0;
-        let formula = format!(
-            "N_pl,Rd = A f_y/γ_M0 = {} · {}/{}",
-            n(self.section.area),
-            n(self.fy),
-            n(self.gamma_m0)
-        );
-        Worked::new(
-            "EN 1993-1-1:2005 6.2.3(2), 6.2.4(2)",
-            "axial force of the beam",
-            value,
-            Unit::Force,
-            formula,
-        )
+        let value = Traced::area("A", self.section.area) * self.f_y() / self.gamma_m0();
+        let (clause, title) = ("EN 1993-1-1:2005 6.2.3(2), 6.2.4(2)", "axial force of the beam");
+        Worked::of(clause, title, "N_pl,Rd", value, Unit::Force)
     }
 
     /// h_w/t_w of the web, and the greatest value that needs no check of shear buckling, `72 ε/η`
@@ -185,17 +181,12 @@ impl CrossSection {
     pub fn shear_buckling(&self, gamma_m1: f64) -> Worked {
         let (depth, web) = (self.section.web_depth(), self.section.tw);
         let (lambda, chi) = shear_buckling(depth, web, self.fy);
-        let value = chi * depth * web * self.fy / (3f64.sqrt() * gamma_m1);
-        let formula = format!(
-            "V_bw,Rd = χ_w h_w t_w f_y/(√3 γ_M1) = {} · {} · {} · {}/(√3 · {})",
-            n(chi),
-            n(depth),
-            n(web),
-            n(self.fy),
-            n(gamma_m1)
-        );
+        let gamma = Traced::number("γ_M1", gamma_m1);
+        let (h_w, t_w) = (Traced::length("h_w", depth), Traced::length("t_w", web));
+        let value = Traced::number("χ_w", chi) * h_w * t_w * self.f_y()
+            / (Traced::from(3.0).sqrt() * gamma);
         let title = "shear buckling of the beam web, h_w/t_w > 72 ε";
-        Worked::new("EN 1993-1-5:2006 5.2", title, value, Unit::Force, formula).with(
+        Worked::of("EN 1993-1-5:2006 5.2", title, "V_bw,Rd", value, Unit::Force).with(
             "λ̄_w",
             lambda,
             Unit::Number,
@@ -220,50 +211,23 @@ impl CrossSection {
         let rho = shear_reduction(v);
         // the outstand counts from the radius of the area, not from that of k_des
         let slenderness = Slenderness::new(s, s.r);
-        let (clause, value, formula, part) = match slenderness.class(s, self.fy, (-axial).max(0.0))
-        {
+        let (clause, value, part) = match slenderness.class(s, self.fy, (-axial).max(0.0)) {
             Class::Plastic => {
-                let web = s.web_depth() * s.tw;
-                let area = s.area - rho * s.shear_area();
-                let a = ((s.area - 2.0 * s.b * s.tf) / s.area).min(0.5);
-                // 6.2.10(3): the strength of the shear area is reduced in the limits of small axial
-                // forces as well
-                let small = within(normal, 0.25 * area * fyd)
-                    && within(normal, 0.5 * (1.0 - rho) * web * fyd);
-                let part = if small {
-                    1.0
-                } else if area > 0.0 {
-                    ((1.0 - normal / (area * fyd)) / (1.0 - 0.5 * a)).clamp(0.0, 1.0)
-                } else {
-                    0.0
-                };
-                let formula = format!(
-                    "(W_pl − ρ A_w²/(4 t_w)) f_y/γ_M0 (1 − n)/(1 − 0.5 a) = ({} − {} · {}²/(4 · \
-                     {})) · {}/{} · {}",
-                    n(s.w_pl),
-                    n(rho),
-                    n(web),
-                    n(s.tw),
-                    n(self.fy),
-                    n(self.gamma_m0),
-                    n(part)
-                );
-                let value = reduced_modulus(s, rho) * fyd * part;
-                ("EN 1993-1-1:2005 6.2.5, 6.2.8, 6.2.9.1", value, formula, part)
+                let clause = "EN 1993-1-1:2005 6.2.5, 6.2.8, 6.2.9.1";
+                let alone = self.plastic_moment(rho);
+                match self.beside_axial_force(rho, normal) {
+                    Some(part) => {
+                        let number = part.value();
+                        (clause, alone * part, number)
+                    }
+                    None => (clause, alone, 1.0),
+                }
             }
             Class::Elastic => {
-                let formula = format!(
-                    "W_el ((1 − ρ) f_y/γ_M0 − N/A) = {} · ({} · {}/{} − {}/{})",
-                    n(s.w_el),
-                    n(1.0 - rho),
-                    n(self.fy),
-                    n(self.gamma_m0),
-                    Unit::Force.show(normal),
-                    n(s.area)
-                );
-                let left = (1.0 - rho) * fyd - normal / s.area;
-                let left = left.max(0.0);
-                ("EN 1993-1-1:2005 6.2.5, 6.2.8, 6.2.9.2", s.w_el * left, formula, left / fyd)
+                let left = self.elastic_stress(rho, normal);
+                let part = left.value() / fyd;
+                let value = Traced::number("W_el", s.w_el) * left;
+                ("EN 1993-1-1:2005 6.2.5, 6.2.8, 6.2.9.2", value, part)
             }
             Class::Slender => {
                 return Err(CheckError::NotCovered {
@@ -278,8 +242,60 @@ impl CrossSection {
             }
         };
         let title = "moment of the beam with its shear and axial force";
-        Ok(Worked::new(clause, title, value, Unit::Moment, formula)
+        Ok(Worked::of(clause, title, "M_Rd", value, Unit::Moment)
             .with("ρ", rho, Unit::Number)
             .with("reduction for N", part, Unit::Number))
+    }
+
+    /// Plastic moment beside a shear force.
+    fn plastic_moment(&self, rho: f64) -> Traced {
+        let s = &self.section;
+        let w_pl = Traced::number("W_pl", s.w_pl);
+        let modulus = if rho == 0.0 {
+            w_pl
+        } else {
+            let web = Traced::area("A_w", s.web_depth() * s.tw);
+            modulus_beside_shear(w_pl, Traced::number("ρ", rho), web, Traced::length("t_w", s.tw))
+        };
+        modulus * (self.f_y() / self.gamma_m0())
+    }
+
+    /// What an axial force leaves of the plastic moment, between 0 and 1; `None` where it is so
+    /// small that it does not count.
+    ///
+    /// # Source
+    /// EN 1993-1-1:2005 6.2.9.1(4) and (5); 6.2.10(3): the strength of the shear area is reduced in
+    /// the limits of small axial forces as well.
+    fn beside_axial_force(&self, rho: f64, normal: f64) -> Option<Traced> {
+        let (s, fyd, n) = (&self.section, self.fy / self.gamma_m0, Traced::from);
+        let web = s.web_depth() * s.tw;
+        let area = s.area - rho * s.shear_area();
+        if within(normal, 0.25 * area * fyd) && within(normal, 0.5 * (1.0 - rho) * web * fyd) {
+            return None;
+        }
+        if area <= 0.0 {
+            return Some(n(0.0));
+        }
+        let flanges = Traced::number("a", ((s.area - 2.0 * s.b * s.tf) / s.area).min(0.5));
+        let share = Traced::number("n", normal / (area * fyd));
+        let left = (n(1.0) - share) / (n(1.0) - n(0.5) * flanges);
+        Some(match left.value() {
+            part if part < 0.0 => left.max(n(0.0)),
+            part if part > 1.0 => left.min(n(1.0)),
+            _ => left,
+        })
+    }
+
+    /// Stress that shear and axial force leave to elastic bending \[MPa\], not below 0.
+    fn elastic_stress(&self, rho: f64, normal: f64) -> Traced {
+        let strength = self.f_y() / self.gamma_m0();
+        let mut left = match rho == 0.0 {
+            true => strength,
+            false => (Traced::from(1.0) - Traced::number("ρ", rho)) * strength,
+        };
+        if normal != 0.0 {
+            left = left - Traced::force("N", normal) / Traced::area("A", self.section.area);
+        }
+        if left.value() < 0.0 { left.max(Traced::from(0.0)) } else { left }
     }
 }

@@ -1,6 +1,7 @@
 //! Preload and slip: EN 1993-1-8:2005 3.9.
 
-use crate::check::{Unit, number as n};
+use crate::formula::{Number, Traced};
+use crate::unit::Unit;
 use crate::worked::Worked;
 use bracket_joint::catalog::{BoltGrade, BoltSize};
 
@@ -34,14 +35,15 @@ impl SlipHole {
 /// # Source
 /// EN 1993-1-8:2005 3.9.1(2), formula 3.7.
 pub fn preload(bolt: &BoltSize, grade: &BoltGrade) -> Worked {
-    let value = 0.7 * grade.fub * bolt.stress_area;
-    let formula =
-        format!("F_p,C = 0.7 f_ub A_s = 0.7 · {} · {}", n(grade.fub), n(bolt.stress_area));
-    Worked::new("EN 1993-1-8:2005 3.9.1(2)", "preload of a bolt", value, Unit::Force, formula)
+    let (f_ub, a_s) = (Traced::stress("f_ub", grade.fub), Traced::area("A_s", bolt.stress_area));
+    let value = Traced::from(0.7) * f_ub * a_s;
+    let (clause, title) = ("EN 1993-1-8:2005 3.9.1(2)", "preload of a bolt");
+    Worked::of(clause, title, "F_p,C", value, Unit::Force)
 }
 
 /// Design slip resistance of one preloaded bolt \[N\], under a tension `tension` ≥ 0 \[N\] of the
 /// bolt (F_t,Ed with γ_M3 in category C, F_t,Ed,ser with γ_M3,ser in category B); never below 0.
+/// `gamma` is the partial factor with its symbol.
 ///
 /// `F_s,Rd = k_s n μ (F_p,C − 0.8 F_t,Ed) / γ_M3`. In a moment end plate the contact force on the
 /// compression side balances the tension, which then counts as 0 (3.9.2(3)).
@@ -54,30 +56,19 @@ pub fn slip_resistance(
     mu: f64,
     preload: f64,
     tension: f64,
-    gamma_m3: f64,
+    gamma: (&'static str, f64),
 ) -> Worked {
-    let ks = hole.ks();
-    let clamp = (preload - 0.8 * tension).max(0.0);
-    let value = ks * f64::from(surfaces) * mu * clamp / gamma_m3;
-    let kn = |x: f64| Unit::Force.show(x);
-    let (words, numbers, clause) = if tension == 0.0 {
-        ("F_p,C", kn(preload), "EN 1993-1-8:2005 3.9.1(1)")
+    let k_s = Traced::number("k_s", hole.ks());
+    let (n, mu) = (Traced::number("n", f64::from(surfaces)), Traced::number("μ", mu));
+    let preload = Traced::force("F_p,C", preload);
+    let (clamp, clause) = if tension == 0.0 {
+        (preload, "EN 1993-1-8:2005 3.9.1(1)")
     } else {
-        (
-            "(F_p,C − 0.8 F_t,Ed)",
-            format!("({} − 0.8 · {})", kn(preload), kn(tension)),
-            "EN 1993-1-8:2005 3.9.2(1)",
-        )
+        let left = preload - Traced::from(0.8) * Traced::force("F_t,Ed", tension);
+        let left = if left.value() >= 0.0 { left } else { left.max(Traced::from(0.0)) };
+        (left, "EN 1993-1-8:2005 3.9.2(1)")
     };
-    let formula = format!(
-        "F_s,Rd = k_s n μ {words} / γ_M3 = {} · {surfaces} · {} · {numbers} / {}",
-        n(ks),
-        n(mu),
-        n(gamma_m3)
-    );
-    Worked::new(clause, "slip resistance of a bolt", value, Unit::Force, formula).with(
-        "k_s",
-        ks,
-        Unit::Number,
-    )
+    let value = k_s.clone() * n * mu * clamp / Traced::number(gamma.0, gamma.1);
+    Worked::of(clause, "slip resistance of a bolt", "F_s,Rd", value, Unit::Force)
+        .with_symbols([&k_s])
 }

@@ -1,6 +1,7 @@
 //! Spacing, end and edge distances: EN 1993-1-8:2005 Table 3.3; room for tools and washers.
 
-use crate::check::{Check, Status, Topic, number as n};
+use crate::check::{Check, Status, Topic};
+use crate::formula::{Number, Traced};
 
 const TABLE: &str = "EN 1993-1-8:2005 Table 3.3";
 /// In place of a clause: the room that a socket wrench needs.
@@ -33,24 +34,18 @@ pub struct Pattern {
 /// # Source
 /// EN 1993-1-8:2005 Table 3.3.
 pub fn pattern_checks(subject: &str, p: &Pattern) -> Vec<Check> {
-    let least = |title: &str, symbol: &str, factor: f64, provided: f64| {
-        let rule = format!("{} d0 = {} · {}", n(factor), n(factor), n(p.d0));
-        let what = (Topic::Detailing, subject);
-        Check::at_least(
-            what,
-            (TABLE, title),
-            symbol,
-            (factor * p.d0, rule),
-            provided,
-            Status::Failed,
-        )
+    let what = (Topic::Detailing, subject);
+    let least = |title: &str, symbol: &'static str, factor: f64, provided: f64| {
+        let rule = Traced::from(factor) * Traced::length("d0", p.d0);
+        Check::at_least(what, (TABLE, title), symbol, rule, provided, Status::Failed)
     };
-    let most = |title: &str, symbol: &str, (allowed, rule): (f64, &str), provided: f64| {
-        let what = (Topic::Detailing, subject);
-        Check::at_most(what, (TABLE, title), symbol, (allowed, rule), provided, Status::Warning)
+    let most = |title: &str, symbol: &'static str, allowed: &Traced, provided: f64| {
+        let allowed = allowed.clone();
+        Check::at_most(what, (TABLE, title), symbol, allowed, provided, Status::Warning)
     };
-    let edge = (4.0 * p.thickness + 40.0, "4 t + 40 mm");
-    let pitch = ((14.0 * p.thickness).min(200.0), "min(14 t, 200 mm)");
+    let (t, n) = (|| Traced::length("t", p.thickness), Traced::from);
+    let edge = &(n(4.0) * t() + n(40.0));
+    let pitch = &(n(14.0) * t()).min(n(200.0));
     let mut out = Vec::new();
     for (e, symbol, title) in [(p.e1, "e1", "end distance"), (p.e2, "e2", "edge distance")] {
         if let Some(e) = e {
@@ -75,7 +70,7 @@ pub fn pattern_checks(subject: &str, p: &Pattern) -> Vec<Check> {
 /// About `2 d + 5 mm`. No clause of the code: a shorter distance is a warning.
 pub fn wrench_check(subject: &str, distance: f64, d: f64) -> Check {
     let what = (Topic::Detailing, subject);
-    let rule = (2.0 * d + 5.0, format!("2 d + 5 mm = 2 · {} + 5", n(d)));
+    let rule = Traced::from(2.0) * Traced::length("d", d) + Traced::from(5.0);
     Check::at_least(what, (PRACTICE, "spanner clearance"), "c", rule, distance, Status::Warning)
 }
 
@@ -86,13 +81,7 @@ pub fn wrench_check(subject: &str, distance: f64, d: f64) -> Check {
 /// no washers (8.2.4), so a shorter distance is a warning.
 pub fn washer_check(subject: &str, distance: f64, washer: f64, root: f64) -> Check {
     let what = (Topic::Detailing, subject);
-    let rule = (root + 0.5 * washer, format!("r + d_w/2 = {} + {}/2", n(root), n(washer)));
-    Check::at_least(
-        what,
-        ("EN 1090-2 8.2", "washer clear of the root fillet"),
-        "c",
-        rule,
-        distance,
-        Status::Warning,
-    )
+    let rule = Traced::length("r", root) + Traced::length("d_w", washer) / Traced::from(2.0);
+    let clear = ("EN 1090-2 8.2", "washer clear of the root fillet");
+    Check::at_least(what, clear, "c", rule, distance, Status::Warning)
 }

@@ -118,19 +118,19 @@ fn table_3_4_bearing_holes_and_columns_of_bolts() {
 fn clause_3_9_slip_without_and_with_tension() {
     let (b, g) = bolt("M20", "10.9");
     let fp = preload(&b, &g).value;
-    let plain = slip_resistance(SlipHole::Normal, 2, 0.5, fp, 0.0, 1.25).value;
+    let plain = slip_resistance(SlipHole::Normal, 2, 0.5, fp, 0.0, ("γ_M3", 1.25)).value;
     near(plain, 2.0 * 0.5 * 171_500.0 / 1.25);
-    let tension = slip_resistance(SlipHole::Normal, 2, 0.5, fp, 100e3, 1.25);
+    let tension = slip_resistance(SlipHole::Normal, 2, 0.5, fp, 100e3, ("γ_M3", 1.25));
     near(tension.value, 2.0 * 0.5 * (171_500.0 - 80_000.0) / 1.25);
     assert_eq!(tension.clause, "EN 1993-1-8:2005 3.9.2(1)");
     assert_eq!(
-        slip_resistance(SlipHole::Normal, 1, 0.5, fp, 1e9, 1.25).value,
+        slip_resistance(SlipHole::Normal, 1, 0.5, fp, 1e9, ("γ_M3", 1.25)).value,
         0.0,
         "never negative"
     );
     let holes = [(SlipHole::Normal, 1.0), (SlipHole::Oversize, 0.85)];
     for (hole, ks) in holes {
-        near(slip_resistance(hole, 1, 0.3, fp, 0.0, 1.25).value / (0.3 * fp / 1.25), ks);
+        near(slip_resistance(hole, 1, 0.3, fp, 0.0, ("γ_M3", 1.25)).value / (0.3 * fp / 1.25), ks);
     }
 }
 

@@ -1,6 +1,8 @@
 //! Fillet welds: EN 1993-1-8:2005 4.5.
 
-use crate::check::{Check, Status, Topic, Unit, number as n, within};
+use crate::check::{Check, Status, Topic, within};
+use crate::formula::{Derivation, Formula, Number, Traced};
+use crate::unit::Unit;
 use crate::worked::Worked;
 
 /// Least throat of a fillet weld \[mm\], EN 1993-1-8:2005 4.5.2(2).
@@ -35,22 +37,21 @@ pub struct ThroatStress {
 /// # Source
 /// EN 1993-1-8:2005 4.5.3.2(6), formula 4.1.
 pub fn directional(stress: &ThroatStress, steel: &WeldedSteel) -> Worked {
-    let s = stress;
-    let equivalent = (s.sigma_perp.powi(2) + 3.0 * (s.tau_perp.powi(2) + s.tau_par.powi(2))).sqrt();
-    let allowed = steel.fu / (steel.beta_w * steel.gamma_m2);
-    let normal = 0.9 * steel.fu / steel.gamma_m2;
-    let value = (equivalent / allowed).max(s.sigma_perp.abs() / normal);
-    let formula = format!(
-        "max(√(σ⊥² + 3 (τ⊥² + τ∥²)) β_w γ_M2/f_u, σ⊥ γ_M2/(0.9 f_u)) = max({}/{}, {}/{})",
-        n(equivalent),
-        n(allowed),
-        n(s.sigma_perp.abs()),
-        n(normal)
-    );
-    Worked::new("EN 1993-1-8:2005 4.5.3.2(6)", DIRECTIONAL, value, Unit::Number, formula)
-        .with("σ_eq", equivalent, Unit::Stress)
-        .with("f_u/(β_w γ_M2)", allowed, Unit::Stress)
-        .with("0.9 f_u/γ_M2", normal, Unit::Stress)
+    let n = Traced::from;
+    let across = Traced::stress("σ⊥", stress.sigma_perp);
+    let in_throat = Traced::stress("τ⊥", stress.tau_perp).powi(2)
+        + Traced::stress("τ∥", stress.tau_par).powi(2);
+    let equivalent = (across.clone().powi(2) + n(3.0) * in_throat).sqrt();
+    let equivalent = equivalent.named("σ_eq", Unit::Stress);
+    let allowed = steel.f_u() / (steel.beta_w() * steel.gamma_m2());
+    let normal = n(0.9) * steel.f_u() / steel.gamma_m2();
+    let numbers = [equivalent.value(), allowed.value(), normal.value()];
+    let value = (equivalent.clone() / allowed).max(across.abs() / normal);
+    let worked = Worked::of("EN 1993-1-8:2005 4.5.3.2(6)", DIRECTIONAL, "", value, Unit::Number)
+        .after(Formula::new("σ_eq", equivalent, Unit::Stress));
+    let symbols = ["σ_eq", "f_u/(β_w γ_M2)", "0.9 f_u/γ_M2"];
+    let steps = symbols.into_iter().zip(numbers);
+    steps.fold(worked, |w, (symbol, value)| w.with(symbol, value, Unit::Stress))
 }
 
 /// Stresses of the two fillet welds of a plate under a force across the plate's end, `length` of
@@ -73,15 +74,8 @@ pub fn across_and_along(force: f64, length: f64, throat: f64, tau_par: f64) -> T
 /// # Source
 /// EN 1993-1-8:2005 4.5.3.3(2) and (3), formulas 4.3 and 4.4.
 pub fn simplified(throat: f64, steel: &WeldedSteel) -> Worked {
-    let value = throat * steel.fu / (3f64.sqrt() * steel.beta_w * steel.gamma_m2);
-    let formula = format!(
-        "F_w,Rd = a f_u/(√3 β_w γ_M2) = {} · {}/(√3 · {} · {})",
-        n(throat),
-        n(steel.fu),
-        n(steel.beta_w),
-        n(steel.gamma_m2)
-    );
-    Worked::new("EN 1993-1-8:2005 4.5.3.3", SIMPLIFIED, value, Unit::ForcePerLength, formula)
+    let value = steel.per_length(throat, 3.0);
+    Worked::of("EN 1993-1-8:2005 4.5.3.3", SIMPLIFIED, "F_w,Rd", value, Unit::ForcePerLength)
 }
 
 /// Design resistance of a fillet weld per length under a force across it by the directional method
@@ -93,16 +87,29 @@ pub fn simplified(throat: f64, steel: &WeldedSteel) -> Worked {
 /// # Source
 /// EN 1993-1-8:2005 4.5.3.2(6); σ⊥ ≤ 0.9 f_u/γ_M2 never decides, because β_w ≥ 0.56.
 pub fn transverse(throat: f64, steel: &WeldedSteel) -> Worked {
-    let value = throat * steel.fu / (2f64.sqrt() * steel.beta_w * steel.gamma_m2);
-    let formula = format!(
-        "F_w,Rd = a f_u/(√2 β_w γ_M2) = {} · {}/(√2 · {} · {})",
-        n(throat),
-        n(steel.fu),
-        n(steel.beta_w),
-        n(steel.gamma_m2)
-    );
+    let value = steel.per_length(throat, 2.0);
     let title = "fillet weld across the force, directional method";
-    Worked::new("EN 1993-1-8:2005 4.5.3.2(6)", title, value, Unit::ForcePerLength, formula)
+    Worked::of("EN 1993-1-8:2005 4.5.3.2(6)", title, "F_w,Rd", value, Unit::ForcePerLength)
+}
+
+impl WeldedSteel {
+    /// `a f_u/(√n β_w γ_M2)` \[N/mm\].
+    fn per_length(&self, throat: f64, n: f64) -> Traced {
+        let below = Traced::from(n).sqrt() * self.beta_w() * self.gamma_m2();
+        Traced::length("a", throat) * self.f_u() / below
+    }
+
+    fn f_u(&self) -> Traced {
+        Traced::stress("f_u", self.fu)
+    }
+
+    fn beta_w(&self) -> Traced {
+        Traced::number("β_w", self.beta_w)
+    }
+
+    fn gamma_m2(&self) -> Traced {
+        Traced::number("γ_M2", self.gamma_m2)
+    }
 }
 
 /// Force per length of a fillet weld between a plate and the part that it stands on \[N/mm\].
@@ -144,28 +151,29 @@ pub fn either_method(force: LineForce, throat: f64, steel: &WeldedSteel) -> Work
         let stress =
             ThroatStress { sigma_perp: across, tau_perp: across, tau_par: force.along / throat };
         let value = resultant / directional(&stress, steel).value;
-        let formula = format!(
-            "F_w,Rd = F_w,Ed a f_u/(β_w γ_M2 √(2 F_⊥² + 3 F_∥²)) = {} · {} · {}/({} · {} · √(2 · \
-             {}² + 3 · {}²))",
-            n(resultant),
-            n(throat),
-            n(steel.fu),
-            n(steel.beta_w),
-            n(steel.gamma_m2),
-            n(force.across),
-            n(force.along)
-        );
-        Worked::new("", "", value, Unit::ForcePerLength, formula)
+        let line =
+            |name: &'static str, value: f64| Traced::symbol(name, value, Unit::ForcePerLength);
+        let root = Traced::from(2.0) * line("F_⊥", force.across).powi(2)
+            + Traced::from(3.0) * line("F_∥", force.along).powi(2);
+        let of = line("F_w,Ed", resultant) * Traced::length("a", throat) * steel.f_u()
+            / (steel.beta_w() * steel.gamma_m2() * root.sqrt());
+        // the same as the utilisation gives, but for rounding
+        let formula = Formula { value, ..Formula::new("F_w,Rd", of, Unit::ForcePerLength) };
+        Worked { value, derivation: formula.into(), ..transverse(throat, steel) }
     };
     let (title, value, clause) = if within(resultant, plain.value) {
         (SIMPLIFIED, plain.value, "EN 1993-1-8:2005 4.5.3.3")
     } else {
         (DIRECTIONAL, by_direction.value, "EN 1993-1-8:2005 4.5.3.2(6)")
     };
-    let formula = format!("{} (4.5.3.3); {} (4.5.3.2)", plain.formula, by_direction.formula);
-    Worked { clause, title, formula, steps: Vec::new(), value, unit: Unit::ForcePerLength }
-        .with("F_w,Rd, 4.5.3.3", plain.value, Unit::ForcePerLength)
-        .with("F_w,Rd, 4.5.3.2", by_direction.value, Unit::ForcePerLength)
+    let both = [("F_w,Rd, 4.5.3.3", plain.value), ("F_w,Rd, 4.5.3.2", by_direction.value)];
+    let derivation = Derivation::from("4.5.3.3:")
+        .followed_by(plain.derivation)
+        .then("4.5.3.2:")
+        .followed_by(by_direction.derivation);
+    let (steps, unit) = (Vec::new(), Unit::ForcePerLength);
+    let worked = Worked { clause, title, derivation, steps, value, unit };
+    both.into_iter().fold(worked, |w, (symbol, value)| w.with(symbol, value, Unit::ForcePerLength))
 }
 
 /// Throat of each of two fillet welds that are as strong as the plate between them in tension
@@ -177,24 +185,11 @@ pub fn either_method(force: LineForce, throat: f64, steel: &WeldedSteel) -> Work
 /// # Source
 /// EN 1993-1-8:2005 4.5.3.2(6) with the stresses of a double fillet under transverse tension.
 pub fn full_strength_throat(thickness: f64, fy: f64, gamma_m0: f64, steel: &WeldedSteel) -> Worked {
-    let value =
-        thickness * fy / gamma_m0 * steel.beta_w * steel.gamma_m2 / (2f64.sqrt() * steel.fu);
-    let formula = format!(
-        "a = t (f_y/γ_M0) β_w γ_M2/(√2 f_u) = {} · {}/{} · {} · {}/(√2 · {})",
-        n(thickness),
-        n(fy),
-        n(gamma_m0),
-        n(steel.beta_w),
-        n(steel.gamma_m2),
-        n(steel.fu)
-    );
-    Worked::new(
-        "EN 1993-1-8:2005 4.5.3.2(6)",
-        "throat of a double fillet weld of full strength",
-        value,
-        Unit::Length,
-        formula,
-    )
+    let (t, f_y) = (Traced::length("t", thickness), Traced::stress("f_y", fy));
+    let value = t * f_y / Traced::number("γ_M0", gamma_m0) * steel.beta_w() * steel.gamma_m2()
+        / (Traced::from(2.0).sqrt() * steel.f_u());
+    let title = "throat of a double fillet weld of full strength";
+    Worked::of("EN 1993-1-8:2005 4.5.3.2(6)", title, "a", value, Unit::Length)
 }
 
 /// Least throat and least effective length of a fillet weld.
@@ -202,23 +197,12 @@ pub fn full_strength_throat(thickness: f64, fy: f64, gamma_m0: f64, steel: &Weld
 /// # Source
 /// EN 1993-1-8:2005 4.5.2(2): a ≥ 3 mm; 4.5.1(2): l_eff ≥ max(30 mm, 6 a).
 pub fn least_size(subject: &str, throat: f64, effective_length: f64) -> [Check; 2] {
-    let topic = Topic::Welds;
+    let of = (Topic::Welds, subject);
+    let least = ("EN 1993-1-8:2005 4.5.2(2)", "least throat");
+    let length = ("EN 1993-1-8:2005 4.5.1(2)", "least effective length");
+    let shortest = (Traced::from(6.0) * Traced::length("a", throat)).max(Traced::from(30.0));
     [
-        Check::at_least(
-            (topic, subject),
-            ("EN 1993-1-8:2005 4.5.2(2)", "least throat"),
-            "a",
-            (LEAST_THROAT, "3 mm"),
-            throat,
-            Status::Failed,
-        ),
-        Check::at_least(
-            (topic, subject),
-            ("EN 1993-1-8:2005 4.5.1(2)", "least effective length"),
-            "l_eff",
-            ((6.0 * throat).max(30.0), "max(30 mm, 6 a)"),
-            effective_length,
-            Status::Failed,
-        ),
+        Check::at_least(of, least, "a", LEAST_THROAT, throat, Status::Failed),
+        Check::at_least(of, length, "l_eff", shortest, effective_length, Status::Failed),
     ]
 }

@@ -2,7 +2,8 @@
 
 use super::analysed::Analysed;
 use super::governing::Governing;
-use crate::check::{Check, DECIDED_BY};
+use crate::check::Check;
+use crate::formula::DECIDED_BY;
 use crate::verdict::{Route, Verdict};
 
 /// What would supply a missing lower bound.
@@ -51,7 +52,8 @@ pub(super) fn sentence(
         (Verdict::Undecided, ..) => {
             let (step, supply) = match open {
                 Some(check) => {
-                    let (why, supply) = check.open().unwrap_or((&check.formula, supply(a)));
+                    let (why, supply) =
+                        check.open().unwrap_or_else(|| (check.formula(), supply(a)));
                     // a value with its derivation is in the check
                     let why = match check.utilisation {
                         Some(_) => String::new(),

@@ -1,13 +1,11 @@
 use super::*;
 use crate::Unit;
 use crate::Worked;
+use crate::formula::Traced;
 
 fn check(topic: Topic, value: f64, case: Option<&str>) -> Check {
-    let c = Worked::new("6.2", "share", value, Unit::Number, "u").utilised(
-        topic,
-        "row",
-        Status::Failed,
-    );
+    let c = Worked::of("6.2", "share", "u", Traced::from(value), Unit::Number);
+    let c = c.utilised(topic, "row", Status::Failed);
     Check { case: case.map(Into::into), ..c }
 }
 
@@ -221,13 +219,13 @@ fn the_last_line_names_what_governs() {
 #[test]
 fn a_check_without_a_load_case_governs_where_it_is_used_most() {
     let throat = ((Topic::Welds, "beam web"), ("4.5.2", "throat"));
-    let kept = Check::at_least(throat.0, throat.1, "a", (5.0, "5 mm"), 5.0, Status::Failed);
+    let kept = Check::at_least(throat.0, throat.1, "a", 5.0, 5.0, Status::Failed);
     let checks = [check(Topic::Bolts, 0.6, Some("A")), check(Topic::Welds, 0.9, None), kept];
     let j = judged(&checks, Analysed::not("A"));
     let governing = j.governing.expect("one governs");
     assert_eq!((governing.case, governing.utilisation), (None, Some([0.9, 0.9])));
     // a recommendation that is followed never governs
-    let advice = Worked::new("6.2.3(5)", "overstrength", 1.0, Unit::Number, "u");
+    let advice = Worked::of("6.2.3(5)", "overstrength", "u", Traced::from(1.0), Unit::Number);
     let advice = advice.utilised(Topic::Welds, "weld", Status::Warning);
     let checks = [check(Topic::Bolts, 0.6, Some("A")), advice];
     let governing = judged(&checks, Analysed::not("A")).governing.expect("one governs");

@@ -157,9 +157,9 @@ pub(crate) fn value_of(step: &Step) -> String {
 fn formula(c: &Check) -> String {
     let values: Vec<String> = c.values.iter().map(value_of).collect();
     if values.is_empty() {
-        c.formula.clone()
+        c.formula()
     } else {
-        format!("{}; {}", c.formula, values.join(", "))
+        format!("{}; {}", c.formula(), values.join(", "))
     }
 }
 

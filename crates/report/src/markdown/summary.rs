@@ -33,6 +33,7 @@ pub(crate) fn table_of_checks(page: &mut String, result: &ResultFile) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use bracket_codes::formula::Traced;
     use bracket_codes::verdict::Verdict;
     use bracket_codes::{Check, Status, Topic, Unit, Worked};
 
@@ -41,7 +42,7 @@ mod tests {
     #[test]
     fn what_governs_is_bold_and_information_never() {
         let check = |topic, value: f64, otherwise| {
-            Worked::new("6.2", "share", value, Unit::Number, "u")
+            Worked::of("6.2", "share", "u", Traced::from(value), Unit::Number)
                 .utilised(topic, "row", otherwise)
                 .of_case("ULS1")
         };
@@ -70,7 +71,7 @@ mod tests {
         result.checks.pop();
         let throat = |a: f64, case: &str| {
             let what = ((Topic::Welds, "beam web"), ("4.5.2", "least throat"));
-            Check::at_least(what.0, what.1, "a", (3.0, "3 mm"), a, Status::Failed).of_case(case)
+            Check::at_least(what.0, what.1, "a", 3.0, a, Status::Failed).of_case(case)
         };
         result.checks.push(throat(3.1, "ULS1"));
         let mut page = String::new();

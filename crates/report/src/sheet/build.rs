@@ -2,7 +2,7 @@
 
 use super::blocks::{Block, Grid, plain, section, sentence};
 use super::formula::{Piece, pieces};
-use super::fraction::formula;
+use super::derivation::derivation;
 use super::head::{Head, Paper};
 use super::{
     Bar, BarLabels, CaseAnswer, Extent, Section, Sheet, SummaryLine, TopicSheet, VerdictBox,
@@ -241,7 +241,7 @@ fn worked(c: &Check, words: &Words) -> WorkedRow {
     WorkedRow {
         of: words.say(&place(c)),
         check: pieces(&words.say(&c.title)),
-        formula: formula(&words.say(&c.formula)),
+        formula: derivation(&c.derivation, words),
         values: ratio(c)
             .into_iter()
             .chain(c.values.iter().map(|s| words.say(&value_of(s))))
@@ -261,7 +261,8 @@ fn ratio(c: &Check) -> Option<String> {
     }
     let [demand, resistance] = [c.demand?, c.resistance?].map(|v| c.unit.show(v));
     let used = used_words(c);
-    let said = c.formula.contains(&demand) && c.formula.contains(&resistance);
+    let formula = c.formula();
+    let said = formula.contains(&demand) && formula.contains(&resistance);
     (!said).then(|| format!("E_d / R_d = {demand} / {resistance} = {used}"))
 }
 

@@ -1,5 +1,5 @@
 //! Texts with symbols as pieces: `F_t,Rd` is a letter with its subscript. The fractions of formulas
-//! are in [`super::fraction`].
+//! are in [`super::derivation`].
 
 use serde::Serialize;
 
@@ -35,7 +35,7 @@ fn is_mark(c: char) -> bool {
 }
 
 /// Raised digits, which belong to the symbol and not to its subscript.
-pub(super) fn is_power(c: char) -> bool {
+fn is_power(c: char) -> bool {
     matches!(c, '²' | '³' | '¹' | '⁴')
 }
 

@@ -4,7 +4,7 @@
 pub mod blocks;
 pub mod build;
 pub mod formula;
-pub mod fraction;
+pub mod derivation;
 pub mod head;
 pub mod sweep;
 

@@ -28,7 +28,7 @@ fn the_paper_joint_fails_no_check() {
     // grip 30, two washers of 3, nut 15.8, pitch 2.5: the next length is 55
     assert!(
         find(&h, "M18 8.8", "least length of the bolt")
-            .formula
+            .formula()
             .ends_with("order M18 × 55, 6 for each end plate")
     );
     // every value is a number, every formula shows its result
@@ -40,7 +40,7 @@ fn the_paper_joint_fails_no_check() {
             .chain(c.demand)
             .chain(c.resistance)
             .all(f64::is_finite);
-        assert!(finite && !c.clause.is_empty() && !c.formula.is_empty(), "{c:#?}");
+        assert!(finite && !c.clause.is_empty() && !c.formula().is_empty(), "{c:#?}");
     }
     // in the order of the topics
     assert!(h.checks.windows(2).all(|w| w[0].topic <= w[1].topic));
@@ -97,7 +97,7 @@ fn wrong_detailing_fails_with_its_clause() {
         let c = failed[0];
         assert_eq!((c.title.as_str(), c.resistance), (title, Some(provided)), "{c:#?}");
         assert_eq!(c.clause, "EN 1993-1-8:2005 Table 3.3");
-        assert!(c.utilisation.is_some_and(|u| u > 1.0) && c.formula.contains(" < "), "{c:#?}");
+        assert!(c.utilisation.is_some_and(|u| u > 1.0) && c.formula().contains(" < "), "{c:#?}");
     }
     // holes made wider ask for wider edges: d0 = 18 + 10
     let h = checks(&with("hole_clearance: 0}", "hole_clearance: 10}"));
@@ -264,12 +264,12 @@ fn a_splice_has_no_column() {
     );
     assert!(
         find(&h, "M20 8.8", "least length of the bolt")
-            .formula
-            .contains("grip + washers + nut + pitch = 30 ")
+            .formula()
+            .contains("l = grip + n_w t_w + nut + pitch = 30 + 2 · 3 + ")
     );
     let elastic = find(&h, "tension at the top", "rotational stiffness for elastic analysis");
     assert!(
-        elastic.formula.ends_with(&format!(
+        elastic.formula().ends_with(&format!(
             "/3 = {}",
             Unit::Rotational.show(elastic.resistance.unwrap_or(0.0))
         ))
@@ -287,9 +287,9 @@ fn thick_plates_and_soft_bolts_are_brittle() {
     let thick = thick.replace("size: M20, grade: \"8.8\"", "size: M16, grade: \"4.6\"");
     let why = checks(&thick).brittle.expect("no rule holds");
     assert!(why.contains("t = 30 mm > 0.36 d") && why.contains("1.9 F_t,Rd"), "{why}");
-    assert!(!why.contains("(d/1.9)"), "the rule of the UK annex: {why}");
+    assert!(!why.contains("/1.9 = "), "the rule of the UK annex: {why}");
     let uk = checks(&format!("code: {{annex: UK}}\n{thick}")).brittle.expect("no rule holds");
-    assert!(uk.contains("t = 25 mm > (d/1.9)"), "{uk}");
+    assert!(uk.contains("t = 25 mm > d √(f_ub/f_y)/1.9 = "), "{uk}");
 }
 
 /// A doubler thinner than the web does not count and is reported; one that counts adds b_s t_w to
@@ -331,7 +331,11 @@ fn a_plate_wider_than_the_flange_is_a_warning_and_bolts_beside_it_an_error() {
         (check.status, check.demand, check.resistance),
         (Status::Warning, Some(250.0), Some(200.0))
     );
-    assert!(check.formula.contains("b_p = 250 mm > b_fc of HEB200 = 200 mm"), "{}", check.formula);
+    assert!(
+        check.formula().contains("b_p = 250 mm > b_fc of HEB200 = 200 mm"),
+        "{}",
+        check.formula()
+    );
     assert!(!h.failed(), "{h:#?}");
     let h = checks(&wide("200", "110"));
     assert!(h.checks.iter().all(|c| c.title != title));
