@@ -18,6 +18,7 @@ use bracket_engine::model::resolve::load_model;
 use bracket_engine::refine::plan;
 use bracket_joint::spec::analysis::AnalysisSpec;
 use bracket_report::console::log::Log;
+use bracket_report::markdown::report_data::InputFacts;
 use bracket_report::result::file_names::file_stem;
 use bracket_report::result::folder::ResultFolder;
 use std::path::Path;
@@ -68,11 +69,14 @@ pub fn analyse_model(
     // the defaults of a model file are those of a spec
     let defaults = AnalysisSpec::default();
     let context = RunContext {
-        project: vec![("title".into(), name.clone())],
-        input_name: path.file_name().map_or_else(String::new, |s| s.to_string_lossy().into_owned()),
         input_hash: model_hash(&text, &mesh_bytes),
-        input_text: text,
-        input_read,
+        input: InputFacts {
+            project: vec![("title".into(), name.clone())],
+            name: path.file_name().map_or_else(String::new, |s| s.to_string_lossy().into_owned()),
+            text,
+            read: input_read,
+            ..InputFacts::default()
+        },
         mesh_quality: quality_table(&quality::table(&model.mesh)),
         adapt: file.adapt.as_ref().map(|a| plan::Limits {
             target_gap: a.target_gap,

@@ -2,7 +2,6 @@
 //! chooses the exit status.
 
 use crate::driver::context::RunContext;
-use crate::driver::demands::CaseDemand;
 use crate::driver::interrupt::Interrupt;
 use bracket_base::diag::{Diagnostic, Diagnostics, ExitStatus, in_line};
 use bracket_codes::verdict::Verdict;
@@ -10,7 +9,6 @@ use bracket_codes::{Analysed, HandChecks, judge};
 use bracket_engine::model::AnalysisKind;
 use bracket_report::console::answer::answer;
 use bracket_report::console::log::Log;
-use bracket_report::draw::dxf::DXF_FILE;
 use bracket_report::draw::moment_rotation;
 use bracket_report::markdown::compose::report_markdown;
 use bracket_report::markdown::report_data::ModelTraits;
@@ -61,7 +59,7 @@ pub fn finish(
     folder: ResultFolder,
     log: &Log,
 ) -> Result<Finished, Diagnostics> {
-    judge_result(&mut result, &mut context.checks, &context.demands);
+    judge_result(&mut result, &mut context.checks, &context.input.demands);
     let interrupt = analyses.interrupt.clone();
     let result = write(result, context, analyses, &folder, log)?;
     // a request while the report was written counts too
@@ -99,34 +97,17 @@ fn write(
     log: &Log,
 ) -> Result<ResultFile, Diagnostics> {
     let json = result.to_json().map_err(Diagnostic::from)?;
-    for (drawing, text) in &context.drawings {
-        folder.write(&drawing.file, text.as_bytes())?;
+    for (name, text) in &context.files {
+        folder.write(name, text.as_bytes())?;
     }
-    if let Some(dxf) = &context.plate_dxf {
-        folder.write(DXF_FILE, dxf.as_bytes())?;
-    }
-    let mut drawings: Vec<PictureRef> = context.drawings.into_iter().map(|d| d.0).collect();
+    let mut input = context.input;
     if let Some((drawing, text)) = moment_rotation::drawing(&result, &context.rotation) {
         folder.write(&drawing.file, text.as_bytes())?;
-        drawings.push(drawing);
+        input.drawings.push(drawing);
     }
-    let given = context.demands.into_iter();
-    let given = given.map(|d| GivenActions { case: d.case, actions: d.actions }).collect();
     let data = ReportData {
-        project: context.project,
-        language: context.language,
+        input,
         result,
-        input_name: context.input_name,
-        input_text: context.input_text,
-        input_read: context.input_read,
-        resolved: context.resolved,
-        demands: given,
-        plane_actions: context.plane_actions,
-        catalogue_rows: context.catalogue_rows,
-        drawings,
-        schedule: context.schedule,
-        welds: context.welds,
-        supports: context.supports,
         pictures: analyses.pictures,
         mesh_quality: context.mesh_quality,
         model: analyses.traits,
@@ -137,7 +118,7 @@ fn write(
     folder.write(REPORT_DATA_FILE, data.to_json()?.as_bytes())?;
     let words = data.words();
     // page and PDF translate a drawing when they are made; report.md links to a file
-    for picture in data.drawings.iter().chain(&data.pictures) {
+    for picture in data.input.drawings.iter().chain(&data.pictures) {
         let Some(name) = words.file(&picture.file) else { continue };
         if let Some(bytes) = printed::picture(folder.path(), &picture.file, &words) {
             folder.write(&name, &bytes)?;
@@ -186,7 +167,7 @@ fn verdict_line(result: &ResultFile, status: ExitStatus, interrupted: bool) -> S
 
 /// The load cases with a demand. If there are analyses, the cases are in the order of the analyses;
 /// those in which nothing acts have none and stand behind.
-fn demanded(demands: &[CaseDemand], asked: &[String]) -> Vec<String> {
+fn demanded(demands: &[GivenActions], asked: &[String]) -> Vec<String> {
     let demanded = demands.iter().map(|d| &d.case);
     if asked.is_empty() {
         return demanded.cloned().collect();
@@ -203,7 +184,7 @@ fn demanded(demands: &[CaseDemand], asked: &[String]) -> Vec<String> {
 
 /// Judges all load cases with a demand: sets their verdicts, and completes the checks by the
 /// findings of the analyses. Only limit analysis brackets a resistance.
-pub fn judge_result(result: &mut ResultFile, checks: &mut HandChecks, demands: &[CaseDemand]) {
+pub fn judge_result(result: &mut ResultFile, checks: &mut HandChecks, demands: &[GivenActions]) {
     let of_case = |case: &String| {
         let entries = || result.cases.iter().filter(|c| c.name == *case);
         let limit = entries().find(|c| c.analysis == AnalysisKind::Limit);

@@ -176,7 +176,7 @@ fn judge_case(entry: &mut CaseResult, upper: &Kept, of_polygon: bool, context: &
         ));
     }
     entry.utilisation = safe_utilisation(entry);
-    let demand = context.demands.iter().find(|d| d.case == entry.name && !of_polygon);
+    let demand = context.input.demands.iter().find(|d| d.case == entry.name && !of_polygon);
     if let Some(demand) = demand {
         let actions = demand.actions.clone();
         let demand = Demand::new(entry, actions, &context.checks);

@@ -2,7 +2,7 @@
 
 use crate::driver::case::not_analysed;
 use crate::driver::check_spec::checks_alone;
-use crate::driver::demands::{CaseDemand, demands};
+use crate::driver::demands::demands;
 use crate::driver::finish::{Analyses, Finished, finish};
 use crate::driver::input_hash::{checked_hash, spec_hash};
 use crate::driver::limits::{Limits, WHEN_INTERRUPTED};
@@ -23,7 +23,7 @@ use bracket_joint::geometry::Scene;
 use bracket_joint::meshing::joint::JointMesh;
 use bracket_joint::spec::polygon::PolygonSpec;
 use bracket_report::console::log::Log;
-use bracket_report::markdown::report_data::ResolvedValue;
+use bracket_report::markdown::report_data::{GivenActions, ResolvedValue};
 use bracket_report::result::folder::ResultFolder;
 use bracket_report::result::result_file::ResultFile;
 use std::path::PathBuf;
@@ -127,8 +127,8 @@ pub fn run_spec(run: &SpecRun, mut limits: Limits) -> Result<Finished, Diagnosti
     }
     limits.interrupt.check("meshing")?;
     let mut context = spec_context(&run.spec, &input, checks)?;
-    context.project.push(("mesher".into(), format!("gmsh {}", meshed.mesher)));
-    context.resolved.extend(run.overrides());
+    context.input.project.push(("mesher".into(), format!("gmsh {}", meshed.mesher)));
+    context.input.resolved.extend(run.overrides());
     let models =
         cases.iter().map(|c| yaml::to_string(&c.model_file.1)).collect::<Result<Vec<_>, _>>()?;
     context.input_hash = spec_hash(&input, &kinds, run.extent, &models);
@@ -163,7 +163,7 @@ impl Unmeshed<'_> {
     ) -> Result<Finished, Diagnostics> {
         let Unmeshed { input, kinds, faults, checks } = self;
         let mut context = spec_context(&run.spec, input, checks)?;
-        context.resolved.extend(run.overrides());
+        context.input.resolved.extend(run.overrides());
         context.input_hash = checked_hash(input)?;
         let symmetry = Scene::new(&input.joint.assembly, run.extent.full).copies();
         let mut result = ResultFile::new(context.input_hash.clone(), symmetry, Verdict::None);
@@ -213,7 +213,7 @@ fn keep(input: &SpecFile, meshed: &JointMesh, folder: &ResultFolder) -> Result<(
 
 /// Reports the hand checks before meshing starts: faults of the detailing, and the verdict by code
 /// alone.
-fn report_checks(hand: &HandChecks, demands: &[CaseDemand], log: &Log) {
+fn report_checks(hand: &HandChecks, demands: &[GivenActions], log: &Log) {
     for c in hand.checks.iter().filter(|c| c.topic == Topic::Detailing) {
         match c.status {
             Status::Failed => log.line(format!("check failed: {}", c.sentence())),

@@ -47,7 +47,7 @@ struct Asked<'a> {
 impl<'a> Asked<'a> {
     fn new(spec: &'a SpecFile, data: &ReportData) -> Result<Self, Diagnostics> {
         let option = |name: &str| {
-            let mut given = data.resolved.iter();
+            let mut given = data.input.resolved.iter();
             given.find(|r| r.name == name && r.origin == COMMAND_LINE).map(|r| &r.value)
         };
         let word = option(KIND);
