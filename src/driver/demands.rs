@@ -4,8 +4,8 @@ use bracket_joint::spec::loads::{Action, LoadSpec};
 use bracket_report::markdown::report_data::GivenActions;
 use bracket_report::result::demand::{ActionValue, EndAction};
 
-/// The demands among the loads of a spec, in the order of the loads: at least one force or moment at
-/// a member end each. The directions of a polygon are not demands.
+/// The demands among the loads of a spec, in the order of the loads. Each has at least one force or
+/// moment at a member end; the directions of a polygon are not demands.
 pub fn demands(loads: &[LoadSpec]) -> Vec<GivenActions> {
     let mut out: Vec<GivenActions> = Vec::new();
     for load in loads.iter().filter(|l| !l.of_polygon) {

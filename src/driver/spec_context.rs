@@ -32,12 +32,8 @@ pub fn spec_checks(input: &SpecFile) -> HandChecks {
     checks
 }
 
-/// The context of a spec, before anything is meshed.
-pub fn spec_context(
-    path: &Path,
-    input: &SpecFile,
-    checks: HandChecks,
-) -> Result<RunContext, Diagnostics> {
+/// What the folder of a result shows of a spec.
+pub fn spec_context(path: &Path, input: &SpecFile) -> Result<RunContext, Diagnostics> {
     let project = &input.spec.value.project;
     let title = project.title.clone().filter(|t| !t.trim().is_empty());
     let stem =
@@ -76,13 +72,8 @@ pub fn spec_context(
             welds: schedule::welds(&welds_list(end_plate, &input.joint.content)),
             supports: supports(&input.joint.assembly),
         },
-        finer: "a smaller `--size-factor` or `analysis.mesh.size`",
-        coarser: "a coarser mesh (`--size-factor` above 1, or a larger `analysis.mesh.size`)",
-        checks,
         rotation: end_plate.map_or_else(Default::default, moment_rotation::Frame::of),
         files,
-        bolts: input.joint.bolts.clone(),
-        ..RunContext::default()
     })
 }
 

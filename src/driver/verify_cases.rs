@@ -4,7 +4,7 @@
 use crate::driver::case::not_analysed;
 use crate::driver::input_hash::{checked_hash, spec_hash};
 use crate::driver::meshing::Extent;
-use crate::driver::run_spec::{COMMAND_LINE, KIND, SIZE_FACTOR};
+use crate::driver::overrides::{COMMAND_LINE, KIND, SIZE_FACTOR};
 use crate::driver::spec_cases::{AskedCase, asked_cases};
 use crate::driver::spec_checks::analysis_kinds;
 use crate::driver::spec_file::SpecFile;

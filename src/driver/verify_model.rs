@@ -2,7 +2,7 @@
 
 use crate::driver::analyse_model::GIVEN_MESH;
 use crate::driver::input_hash::model_hash;
-use crate::driver::run_cases::safe_utilisation;
+use crate::driver::judge::safe_utilisation;
 use crate::driver::verify_mesh::{mesh_path, model_paths, read_model};
 use crate::driver::verify_spec::compared;
 use bracket_base::diag::Diagnostics;
