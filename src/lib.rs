@@ -12,6 +12,12 @@ pub mod batch;
 pub mod cli;
 pub mod driver;
 
+pub use driver::check_spec::{Checked, check};
+pub use driver::limits::Limits;
+pub use driver::overrides::Overrides;
+pub use driver::spec_input::SpecInput;
+pub use driver::spec_run::{Ran, run};
+
 pub use bracket_base::{diag, diag_render, math, text_file, units, yaml};
 pub use bracket_codes as checks;
 pub use bracket_engine::{

@@ -3,7 +3,6 @@
 use super::chosen_joints::ChosenJoint;
 use super::merged::Merged;
 use super::plan::Plan;
-use super::results_table::finite;
 use super::row::{LoadRow, Record};
 use bracket_base::math::figures::{Rounding, fixed, utilisation};
 use bracket_report::markdown::markup::inline;
@@ -32,7 +31,7 @@ pub fn rows(
             ("group", json!(d.group)),
             ("outcome", json!(if d.open { "open" } else { d.outcome().word() })),
             ("chosen", json!(choice.map(|c| &plan.cases[c.case].name))),
-            ("cost", choice.map_or(Value::Null, |c| finite(c.cost))),
+            ("cost", json!(choice.map(|c| c.cost))),
             ("mass_kg", json!(record.and_then(|r| r.mass))),
             ("bolts", json!(record.and_then(|r| r.bolts))),
             ("proved_by", json!(by)),

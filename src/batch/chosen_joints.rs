@@ -10,6 +10,7 @@ use super::sweep_folder::{SweepFolder, write_whole};
 use super::worker::absolute;
 use crate::driver::check_spec::check_spec;
 use crate::driver::interrupt::Interrupt;
+use crate::driver::spec_input::SpecInput;
 use bracket_base::diag::Diagnostics;
 use bracket_base::yaml;
 use bracket_report::console::log::Log;
@@ -100,8 +101,8 @@ fn one(
         Some(of_case) => Some(format!("{of_case}/{PDF_FILE}")),
         None if reported => {
             let place = folder.path().join(stem);
-            let catalog = header.catalog.as_deref();
-            check_spec(&path, catalog, &place, true, &Interrupt::default())?;
+            let (catalog, spec) = (header.catalog.clone(), SpecInput::read(&path)?);
+            check_spec(&SpecInput { catalog, ..spec }, &place, true, &Interrupt::default())?;
             Some(format!("{stem}/{PDF_FILE}"))
         }
         None => None,

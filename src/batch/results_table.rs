@@ -9,6 +9,8 @@ use super::row::{LoadRow, Record};
 use super::screen::Kit;
 use super::spec_path::SpecPath;
 use bracket_base::diag::Diagnostic;
+use bracket_codes::judgement::Governing;
+use bracket_codes::verdict;
 use bracket_report::escaped::csv_cell;
 use rayon::prelude::*;
 use serde_json::{Map, Value, json};
@@ -25,54 +27,140 @@ pub enum Kind {
     Text,
 }
 
+/// A column of the tables.
+pub struct Column {
+    /// Its name without the unit.
+    pub name: &'static str,
+    /// Unit as the header has it; empty if there is none or the name is it.
+    pub unit: &'static str,
+    /// Kind of its values.
+    pub kind: Kind,
+    /// Its value in a row; null where there is none.
+    value: fn(&Found<'_>) -> Value,
+}
+
+/// What the columns of a row are read from.
+struct Found<'a> {
+    /// The record of a finished case.
+    record: Option<&'a Record>,
+    /// The record, or what the checks of an unfinished case have found.
+    known: Option<&'a Record>,
+    /// The load case.
+    load: Option<&'a LoadRow>,
+    /// What the choice made of the case.
+    choice: Option<&'a Chosen>,
+}
+
+/// What the choice made of a case.
+#[derive(Clone, Default)]
+struct Chosen {
+    /// `chosen`, or `not needed` where a cheaper joint holds.
+    word: Option<&'static str>,
+    /// Cost, known of a joint that can be chosen.
+    cost: Option<f64>,
+}
+
 /// The columns behind the varied paths.
-const COLUMNS: [(&str, Kind); 24] = [
-    ("load_case", Kind::Text),
-    ("N_kN", Kind::Number),
-    ("V_kN", Kind::Number),
-    ("M_kNm", Kind::Number),
-    ("outcome", Kind::Text),
-    ("verdict", Kind::Text),
-    ("route", Kind::Text),
-    ("by_code", Kind::Text),
-    ("by_analysis", Kind::Text),
-    ("lambda_low", Kind::Number),
-    ("lambda_up", Kind::Number),
-    ("utilisation_low", Kind::Number),
-    ("utilisation_up", Kind::Number),
-    ("M_j_Rd_kNm", Kind::Number),
-    ("component_factor", Kind::Number),
-    ("S_j_ini_kNm_per_rad", Kind::Number),
-    ("governing", Kind::Text),
-    ("clause", Kind::Text),
-    ("governing_utilisation", Kind::Number),
-    ("mass_kg", Kind::Number),
-    ("bolts", Kind::Integer),
-    ("seconds", Kind::Number),
-    ("result", Kind::Text),
-    ("cause", Kind::Text),
+static COLUMNS: [Column; 24] = [
+    text("load_case", |f| json!(f.load.map(|l| &l.case))),
+    number("N", "kN", |f| json!(f.action(0).map(|n| 1e-3 * n))),
+    number("V", "kN", |f| json!(f.action(1).map(|v| 1e-3 * v))),
+    number("M", "kNm", |f| json!(f.action(2).map(|m| 1e-6 * m))),
+    text("outcome", |f| json!(f.record.map_or("open", |r| r.outcome.word()))),
+    text("verdict", |f| json!(f.judged().map(|l| l.verdict))),
+    text("route", |f| json!(f.judged().and_then(|l| l.route))),
+    text("by_code", |f| json!(f.load.map(|l| l.by_code))),
+    text("by_analysis", |f| json!(f.load.map(|l| l.by_analysis))),
+    number("lambda_low", "", |f| json!(f.load.and_then(|l| l.lower))),
+    number("lambda_up", "", |f| json!(f.load.and_then(|l| l.upper))),
+    number("utilisation_low", "", |f| json!(f.utilisation().map(|u| u[0]))),
+    number("utilisation_up", "", |f| json!(f.utilisation().map(|u| u[1]))),
+    number("M_j_Rd", "kNm", |f| json!(f.load.and_then(|l| l.moment_resistance).map(|m| 1e-6 * m))),
+    number("component_factor", "", |f| json!(f.load.and_then(|l| l.component_factor))),
+    number("S_j_ini", "kNm_per_rad", |f| {
+        json!(f.load.and_then(|l| l.component_stiffness).map(|s| 1e-6 * s))
+    }),
+    text("governing", |f| json!(f.governing().map(|g| &g.what))),
+    text("clause", |f| json!(f.governing().map(|g| &g.clause))),
+    number("governing_utilisation", "", |f| {
+        json!(f.governing().and_then(|g| g.utilisation).map(|u| u[1]))
+    }),
+    number("mass", "kg", |f| json!(f.known.and_then(|r| r.mass))),
+    Column { kind: Kind::Integer, ..number("bolts", "", |f| json!(f.known.and_then(|r| r.bolts))) },
+    number("seconds", "", |f| json!(f.record.and_then(|r| r.seconds))),
+    text("result", |f| json!(f.record.filter(|r| r.result).map(Record::folder))),
+    text("cause", |f| json!(f.cause())),
 ];
 
 /// The columns of the choice.
-const CHOICE: [(&str, Kind); 2] = [("choice", Kind::Text), ("cost", Kind::Number)];
+static CHOICE: [Column; 2] = [
+    text("choice", |f| json!(f.choice.and_then(|c| c.word))),
+    number("cost", "", |f| json!(f.choice.and_then(|c| c.cost))),
+];
 
-impl Kind {
-    /// The kind of a column; those of the varied paths are texts.
-    pub fn of(column: &str) -> Self {
-        let known = COLUMNS.iter().chain(&CHOICE).find(|(name, _)| *name == column);
-        known.map_or(Kind::Text, |(_, kind)| *kind)
+const fn number(name: &'static str, unit: &'static str, value: fn(&Found<'_>) -> Value) -> Column {
+    Column { name, unit, kind: Kind::Number, value }
+}
+
+const fn text(name: &'static str, value: fn(&Found<'_>) -> Value) -> Column {
+    Column { name, unit: "", kind: Kind::Text, value }
+}
+
+/// All columns but the case and the paths that a sweep varies or sets.
+pub fn columns() -> impl Iterator<Item = &'static Column> {
+    COLUMNS.iter().chain(&CHOICE)
+}
+
+impl Column {
+    /// The header: name and unit.
+    pub fn header(&self) -> String {
+        let join = if self.unit.is_empty() { "" } else { "_" };
+        [self.name, join, self.unit].concat()
     }
 }
 
-/// A row of the tables: names of columns with their values; null where there is none. `choice`: the
-/// columns of the choice; `derived`: those of the values of `set`. `known` is the record, or what
-/// the checks of an unfinished case have found.
+impl Kind {
+    /// The kind of the column with this header; those of the varied paths are texts.
+    pub fn of(header: &str) -> Self {
+        columns().find(|c| c.header() == header).map_or(Kind::Text, |c| c.kind)
+    }
+}
+
+impl Found<'_> {
+    /// The load case of a finished case: the checks of a case that waits for finite elements are no
+    /// verdict yet.
+    fn judged(&self) -> Option<&LoadRow> {
+        self.load.filter(|_| self.record.is_some())
+    }
+
+    /// N \[N\], Vz \[N\] or My \[N mm\] at the bolt plane.
+    fn action(&self, i: usize) -> Option<f64> {
+        self.load?.actions.map(|a| a[i])
+    }
+
+    /// Demand over capacity by the bounds.
+    fn utilisation(&self) -> Option<[f64; 2]> {
+        self.load.and_then(|l| verdict::utilisation(l.lower, l.upper))
+    }
+
+    fn governing(&self) -> Option<&Governing> {
+        self.load?.governing.as_ref()
+    }
+
+    fn cause(&self) -> Option<String> {
+        match self.record {
+            Some(record) => record.cause.clone(),
+            None => self.load.map(|_| "by the checks; the analysis is not finished".to_owned()),
+        }
+    }
+}
+
+/// A row of the tables: headers with their values; null where there is none. `derived`: the columns
+/// of the values of `set`.
 fn row(
     plan: &Plan,
     case: &Case,
-    (record, known): (Option<&Record>, Option<&Record>),
-    load: Option<&LoadRow>,
-    choice: Option<&[Value; 2]>,
+    found: &Found<'_>,
     derived: &[(String, Value)],
 ) -> Map<String, Value> {
     let mut row = Map::new();
@@ -81,70 +169,25 @@ fn row(
         row.insert(path.into(), json!(value));
     }
     row.extend(derived.iter().cloned());
-    let utilisation = load.and_then(|l| bracket_codes::verdict::utilisation(l.lower, l.upper));
-    let governing = load.and_then(|l| l.governing.as_ref());
-    let with_elements = record.filter(|r| r.result);
-    let actions = load.and_then(|l| l.actions);
-    // the checks of a case that waits for finite elements are no verdict yet
-    let verdict = load.filter(|_| record.is_some()).map(|l| l.verdict);
-    let cause = match record {
-        Some(record) => record.cause.clone(),
-        None => load.map(|_| "by the checks; the analysis is not finished".to_owned()),
-    };
-    let values = [
-        json!(load.map(|l| &l.case)),
-        json!(actions.map(|a| 1e-3 * a[0])),
-        json!(actions.map(|a| 1e-3 * a[1])),
-        json!(actions.map(|a| 1e-6 * a[2])),
-        json!(record.map_or("open", |r| r.outcome.word())),
-        json!(verdict),
-        json!(load.filter(|_| record.is_some()).and_then(|l| l.route)),
-        json!(load.map(|l| l.by_code)),
-        json!(load.map(|l| l.by_analysis)),
-        json!(load.and_then(|l| l.lower)),
-        json!(load.and_then(|l| l.upper)),
-        json!(utilisation.map(|u| u[0])),
-        json!(utilisation.map(|u| u[1])),
-        json!(load.and_then(|l| l.moment_resistance).map(|m| 1e-6 * m)),
-        json!(load.and_then(|l| l.component_factor)),
-        json!(load.and_then(|l| l.component_stiffness).map(|s| 1e-6 * s)),
-        json!(governing.map(|g| &g.what)),
-        json!(governing.map(|g| &g.clause)),
-        json!(governing.and_then(|g| g.utilisation).map(|u| u[1])),
-        json!(known.and_then(|r| r.mass)),
-        json!(known.and_then(|r| r.bolts)),
-        json!(record.and_then(|r| r.seconds)),
-        json!(with_elements.map(Record::folder)),
-        json!(cause),
-    ];
-    let names = |columns: &[(&str, Kind)]| -> Vec<String> {
-        columns.iter().map(|(name, _)| (*name).to_string()).collect()
-    };
-    row.extend(names(&COLUMNS).into_iter().zip(values));
-    row.extend(names(&CHOICE).into_iter().zip(choice.into_iter().flatten().cloned()));
+    let chosen = CHOICE.iter().filter(|_| found.choice.is_some());
+    row.extend(COLUMNS.iter().chain(chosen).map(|c| (c.header(), (c.value)(found))));
     row
 }
 
-/// The columns of the choice for each case: `choice` is `chosen`, or `not needed` where a cheaper
-/// joint holds; `cost` is known of those that can be chosen.
-fn of_choice(merged: &Merged) -> Vec<[Value; 2]> {
-    let mut out = vec![[Value::Null, Value::Null]; merged.records.len()];
+/// What the choice made of each case.
+fn of_choice(merged: &Merged) -> Vec<Chosen> {
+    let mut out = vec![Chosen::default(); merged.records.len()];
     for d in &merged.decisions {
         for (i, c) in d.candidates.iter().enumerate() {
             let word = match d.chosen {
-                Some(k) if k == i => json!("chosen"),
-                Some(k) if k < i => json!("not needed"),
-                _ => Value::Null,
+                Some(k) if k == i => Some("chosen"),
+                Some(k) if k < i => Some("not needed"),
+                _ => None,
             };
-            out[c.case] = [word, finite(c.cost)];
+            out[c.case] = Chosen { word, cost: Some(c.cost) };
         }
     }
     out
-}
-
-/// A number; null if it is not finite.
-pub fn finite(value: f64) -> Value {
-    serde_json::Number::from_f64(value).map_or(Value::Null, Value::Number)
 }
 
 /// The values of `set` in a case, as text; null where they have none.
@@ -167,8 +210,9 @@ pub fn rows(plan: &Plan, merged: &Merged, kit: Option<&Kit>) -> Vec<Map<String, 
         let (case, record) = (&plan.cases[i], merged.records[i].as_ref());
         let known = record.or(merged.checked[i].as_ref());
         let derived = kit.map_or_else(Vec::new, |kit| of_set(plan, kit, case));
+        let choice = choice.as_ref().map(|c| &c[i]);
         let one = |load: Option<&LoadRow>| {
-            row(plan, case, (record, known), load, choice.as_ref().map(|c| &c[i]), &derived)
+            row(plan, case, &Found { record, known, load, choice }, &derived)
         };
         match known.map_or(&[][..], |r| &r.loads) {
             [] => vec![one(None)],

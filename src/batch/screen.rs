@@ -4,6 +4,7 @@ use super::case::Case;
 use super::expansion::{Expansion, typed};
 use super::row::{LoadRow, Outcome, Record};
 use crate::driver::demands::demands;
+use crate::driver::judge::by_code;
 use crate::driver::spec_checks::check_loads;
 use bracket_base::diag::Diagnostic;
 use bracket_base::yaml::{Parsed, PlaceIndex};
@@ -114,13 +115,14 @@ fn sentence(d: &Diagnostic) -> String {
 fn record(key: &str, joint: &Joint, spec: &ConnectionSpec) -> Record {
     let mut checks = joint_checks(joint);
     let demands = demands(&spec.loads);
-    let alone: Vec<Analysed> = demands.iter().map(|d| Analysed::not(d.case.clone())).collect();
     // beside a limit analysis that carries the load, the strength part of the component method is
     // information: what fails even then is final
-    let carried: Vec<Analysed> =
-        alone.iter().map(|a| Analysed { verdict: Verdict::Ok, ..a.clone() }).collect();
+    let carried: Vec<Analysed> = demands
+        .iter()
+        .map(|d| Analysed { verdict: Verdict::Ok, ..Analysed::not(&d.case) })
+        .collect();
     let (best, _) = judge(&mut checks.clone(), &carried);
-    let (all, each) = judge(&mut checks, &alone);
+    let (all, each) = by_code(&mut checks, &demands);
     let rows = demands.iter().zip(each).map(|(demand, j)| {
         let method = method(&checks, &demand.case);
         LoadRow {

@@ -4,7 +4,8 @@ use super::catalog_options::CatalogOptions;
 use super::common::{CommandResult, Common};
 use crate::driver::check_spec::check_spec;
 use crate::driver::interrupt::Interrupt;
-use std::path::PathBuf;
+use crate::driver::spec_input::SpecInput;
+use std::path::{Path, PathBuf};
 
 /// The code's checks, detailing, drawing and verdict by code, at once.
 #[derive(Debug, clap::Args)]
@@ -40,7 +41,10 @@ pub fn run(args: &CheckArgs, common: &Common) -> CommandResult {
 /// One check, for `check` and `watch`.
 pub(super) fn check(args: &CheckArgs, common: &Common, interrupt: &Interrupt) -> CommandResult {
     let folder = args.folder();
-    let finished = check_spec(&args.spec, args.catalog.folder(), &folder, common.quiet, interrupt);
+    let finished = SpecInput::read(&args.spec).and_then(|spec| {
+        let catalog = args.catalog.folder().map(Path::to_path_buf);
+        check_spec(&SpecInput { catalog, ..spec }, &folder, common.quiet, interrupt)
+    });
     let finished = finished.map_err(|mut faults| {
         // a report of an earlier input must not be taken for one of this input
         let report = folder.join("report.md");

@@ -1,6 +1,6 @@
 //! Options of every subcommand.
 
-use crate::driver::finish::Finished;
+use crate::driver::present::Finished;
 use bracket_base::diag::{Diagnostic, Diagnostics, ExitStatus};
 use bracket_report::console::out;
 use clap::ValueEnum;

@@ -88,7 +88,7 @@ fn free_or_pdf(path: &Path) -> Result<(), Diagnostics> {
 pub fn run(args: &ReportArgs, common: &Common) -> CommandResult {
     let interrupt = Interrupt::watch()?;
     let mut data = ReportData::read(&args.folder)?;
-    data.language = args.language.map_or(data.language, Language::from);
+    data.input.language = args.language.map_or(data.input.language, Language::from);
     let extent = if args.full { Extent::Full } else { Extent::Short };
     let paper = match args.paper {
         PaperArg::A4 => Paper::A4,

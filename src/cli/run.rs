@@ -5,7 +5,9 @@ use super::catalog_options::CatalogOptions;
 use super::common::{CommandResult, Common};
 use crate::driver::limits::use_threads;
 use crate::driver::meshing::Extent;
-use crate::driver::run_spec::{SpecRun, run_spec};
+use crate::driver::overrides::Overrides;
+use crate::driver::run_spec::run_spec;
+use crate::driver::spec_input::SpecInput;
 use bracket_engine::model::AnalysisKind;
 use std::path::PathBuf;
 
@@ -65,15 +67,12 @@ pub fn run(args: &RunArgs, common: &Common) -> CommandResult {
     extent.check()?;
     let limits = args.options.limits()?;
     use_threads(common.threads)?;
-    let run = SpecRun {
-        spec: args.spec.clone(),
+    let kind = args.kind.map(AnalysisKind::from);
+    let spec = SpecInput {
         catalog: args.catalog.catalog.clone(),
-        folder: args.options.folder(&args.spec),
-        extent,
-        kind: args.kind.map(AnalysisKind::from),
-        max_passes: args.max_passes,
-        keep: args.keep,
-        quiet: common.quiet,
+        overrides: Overrides { extent, kind, max_passes: args.max_passes },
+        ..SpecInput::read(&args.spec)?
     };
-    common.print_result(&run_spec(&run, limits)?)
+    let folder = args.options.folder(&args.spec);
+    common.print_result(&run_spec(&spec, &folder, args.keep, common.quiet, &limits)?)
 }

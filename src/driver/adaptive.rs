@@ -2,12 +2,12 @@
 //! result consists of the best bounds of all passes.
 
 use crate::driver::case::Case;
-use crate::driver::context::RunContext;
 use crate::driver::limits::Limits;
 use crate::driver::pass_run::too_large;
 use crate::driver::passes::{Kept, Mesh, Passes, Share, joined, lost};
 use crate::driver::remesh::Remesh;
 use crate::driver::sequence::Sequence;
+use crate::driver::setup::Refinement;
 use bracket_base::diag::Diagnostics;
 use bracket_engine::model::AnalysisKind;
 use bracket_engine::model::AnalysisModel;
@@ -111,14 +111,14 @@ impl<'a, 'r> Begun<'a, 'r> {
     pub fn end(
         self,
         until: f64,
-        context: &RunContext,
+        refinement: &Refinement,
         limits: &Limits,
     ) -> Result<Adapted, Diagnostics> {
         let Self { mut passes, remesh } = self;
         passes.share.until = until;
         let mut stop = None;
         if let (Some(adapt), Some(remesher), Some(kept)) =
-            (&context.adapt, remesh, passes.kept.first())
+            (&refinement.adapt, remesh, passes.kept.first())
         {
             let Kept { outcome, model, .. } = kept;
             let both = model.bounds == Bounds::Both && outcome.contributions().is_some();
@@ -133,7 +133,7 @@ impl<'a, 'r> Begun<'a, 'r> {
             stop = passes.adapt(&mut tracks, adapt)?;
         }
         let Passes { name, entries, kept, .. } = passes;
-        finish(&name, entries, kept, stop, context, limits)
+        finish(&name, entries, kept, stop, refinement, limits)
     }
 }
 
@@ -142,7 +142,7 @@ fn finish(
     entries: Vec<PassResult>,
     mut kept: Vec<Kept>,
     stop: Option<Stop>,
-    context: &RunContext,
+    refinement: &Refinement,
     limits: &Limits,
 ) -> Result<Adapted, Diagnostics> {
     let mut entry = joined(name, &entries)?;
@@ -152,14 +152,14 @@ fn finish(
             last.entry.warnings.iter().filter(|w| !entry.warnings.contains(w)).cloned().collect();
         entry.warnings.extend(new.into_iter().map(|w| format!("mesh {}: {w}", entries.len())));
     }
-    if let (Some(gap), Some(adapt)) = (entry.gap, &context.adapt)
+    if let (Some(gap), Some(adapt)) = (entry.gap, &refinement.adapt)
         && gap > adapt.target_gap
     {
         entry.warnings.push(format!(
             "the gap is {}, the target {}: {}",
             percent_up(gap),
             percent_up(adapt.target_gap),
-            shortfall(stop, entry.analysis, context, limits)
+            shortfall(stop, entry.analysis, refinement, limits)
         ));
     }
     let Some(b) = best(&entries) else { return Err(lost(name).into()) };
@@ -189,14 +189,14 @@ fn rows(pass: &CaseResult, strict: bool) -> Vec<HistoryRow> {
 fn shortfall(
     stop: Option<Stop>,
     kind: AnalysisKind,
-    context: &RunContext,
+    refinement: &Refinement,
     limits: &Limits,
 ) -> String {
-    let max_passes = context.adapt.map_or(1, |a| a.max_passes);
+    let max_passes = refinement.adapt.map_or(1, |a| a.max_passes);
     match stop {
         _ if limits.interrupt.asked() => "the run was interrupted".into(),
         Some(Stop::Passes) | None if max_passes == 1 => {
-            format!("a finer mesh is needed ({})", context.finer)
+            format!("a finer mesh is needed ({})", refinement.finer)
         }
         Some(Stop::Passes) => {
             let each = if kind == AnalysisKind::Limit { " for each bound" } else { "" };
@@ -209,6 +209,6 @@ fn shortfall(
             "no element contributes to the gap, so no finer mesh reduces it".into()
         }
         Some(Stop::SameMesh) => "the remesher makes no finer mesh".into(),
-        Some(Stop::Target) | None => format!("a finer mesh is needed ({})", context.finer),
+        Some(Stop::Target) | None => format!("a finer mesh is needed ({})", refinement.finer),
     }
 }

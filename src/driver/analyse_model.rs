@@ -3,21 +3,25 @@
 use crate::driver::by_metric::{ByMetric, Tools};
 use crate::driver::case::Case;
 use crate::driver::context::RunContext;
-use crate::driver::finish::Finished;
 use crate::driver::input_hash::model_hash;
 use crate::driver::limits::{Limits, WHEN_INTERRUPTED};
 use crate::driver::meshing::quality_table;
+use crate::driver::present::{Finished, present};
 use crate::driver::remesh::{ByBisection, Places, Remesh, remesher};
-use crate::driver::run_cases::run_cases;
+use crate::driver::run_files::RunFiles;
+use crate::driver::setup::{Refinement, RunSetup};
+use crate::driver::solve::solve;
 use bracket_base::diag::{Diagnostic, Diagnostics};
 use bracket_base::text_file;
 use bracket_base::yaml;
+use bracket_codes::HandChecks;
 use bracket_engine::mesh::{TetMesh, merge, msh, quality};
 use bracket_engine::model::file::{ModelFile, Nodes};
 use bracket_engine::model::resolve::load_model;
 use bracket_engine::refine::plan;
 use bracket_joint::spec::analysis::AnalysisSpec;
 use bracket_report::console::log::Log;
+use bracket_report::markdown::report_data::InputFacts;
 use bracket_report::result::file_names::file_stem;
 use bracket_report::result::folder::ResultFolder;
 use std::path::Path;
@@ -67,20 +71,27 @@ pub fn analyse_model(
     let name = if stem == "model" { folder_name(path).unwrap_or(stem) } else { stem };
     // the defaults of a model file are those of a spec
     let defaults = AnalysisSpec::default();
-    let context = RunContext {
-        project: vec![("title".into(), name.clone())],
-        input_name: path.file_name().map_or_else(String::new, |s| s.to_string_lossy().into_owned()),
+    let setup = RunSetup {
         input_hash: model_hash(&text, &mesh_bytes),
-        input_text: text,
-        input_read,
-        mesh_quality: quality_table(&quality::table(&model.mesh)),
-        adapt: file.adapt.as_ref().map(|a| plan::Limits {
-            target_gap: a.target_gap,
-            max_passes: a.max_passes.unwrap_or(defaults.max_passes),
-            max_macro_tets: a.max_macro_tets.unwrap_or(defaults.max_macro_tets),
-        }),
-        finer: "a finer mesh file",
-        coarser: "a coarser mesh file",
+        refinement: Refinement {
+            adapt: file.adapt.as_ref().map(|a| plan::Limits {
+                target_gap: a.target_gap,
+                max_passes: a.max_passes.unwrap_or(defaults.max_passes),
+                max_macro_tets: a.max_macro_tets.unwrap_or(defaults.max_macro_tets),
+            }),
+            finer: "a finer mesh file",
+            coarser: "a coarser mesh file",
+        },
+        ..RunSetup::default()
+    };
+    let context = RunContext {
+        input: InputFacts {
+            project: vec![("title".into(), name.clone())],
+            name: path.file_name().map_or_else(String::new, |s| s.to_string_lossy().into_owned()),
+            text,
+            read: input_read,
+            ..InputFacts::default()
+        },
         ..RunContext::default()
     };
     let place = |path: &str| parsed.index.place(path);
@@ -94,6 +105,7 @@ pub fn analyse_model(
         }
         None => None,
     };
+    let mesh_quality = quality_table(&quality::table(&model.mesh));
     let case = Case {
         name: file_stem(&name),
         model,
@@ -102,7 +114,13 @@ pub fn analyse_model(
         mesh_seconds: None,
         direction: None,
     };
-    run_cases(vec![case], context, &limits, folder, &log)
+    let mut files = RunFiles::new(&folder, context.input.language, &limits.interrupt);
+    files.mesh_quality = mesh_quality;
+    let solved = solve(vec![case], &setup, &limits, &mut files, &log)?;
+    let drawn = files.drawn();
+    // a model file has no checks and no demand
+    let judged = solved.judge(&HandChecks::default(), &[]);
+    present(judged, context, drawn, &limits.interrupt, folder, &log)
 }
 
 /// Least number of tets of a mesh that Mmg adapts. A smaller mesh is mostly surface, and Mmg misses

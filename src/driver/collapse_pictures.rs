@@ -1,7 +1,6 @@
 //! Pictures of limit analysis: the mechanism of the upper bound and the zones that limit the lower
 //! bound, each on the mesh of its own pass, cut open where most of it happens.
 
-use crate::driver::context::RunContext;
 use crate::driver::passes::Kept;
 use crate::driver::pictures::{enlargement, png};
 use bracket_base::diag::Diagnostics;
@@ -37,14 +36,12 @@ const NAMED: (usize, f64) = (3, 0.05);
 
 /// Pictures of a load factor: mechanism and limiting zones, as far as they are known.
 pub fn collapse_pictures(
-    upper: &Kept,
-    lower: &Kept,
+    (upper, lower): (&Kept, &Kept),
     (name, stem): (&str, &str),
-    context: &RunContext,
+    (mirror, words): (&[usize], &Words),
     folder: &ResultFolder,
 ) -> Result<Vec<PictureRef>, Diagnostics> {
     let mut out = Vec::new();
-    let (mirror, words) = (context.mirror.as_slice(), &context.words());
     let AnalysisPass::Factor(pass) = &upper.outcome else { return Ok(out) };
     let velocity = pass.velocity.as_ref().or(pass.free.as_ref().map(|f| &f.field));
     // both pictures are seen from the same side

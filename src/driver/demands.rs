@@ -1,27 +1,19 @@
 //! The load cases that are demands on the joint.
 
 use bracket_joint::spec::loads::{Action, LoadSpec};
+use bracket_report::markdown::report_data::GivenActions;
 use bracket_report::result::demand::{ActionValue, EndAction};
 
-/// A load case with forces or moments at member ends.
-#[derive(Clone, Debug)]
-pub struct CaseDemand {
-    /// Name of the load case.
-    pub case: String,
-    /// Its forces and moments at member ends; at least one.
-    pub actions: Vec<EndAction>,
-}
-
-/// The demands among the loads of a spec, in the order of the loads. The directions of a polygon
-/// are not demands.
-pub fn demands(loads: &[LoadSpec]) -> Vec<CaseDemand> {
-    let mut out: Vec<CaseDemand> = Vec::new();
+/// The demands among the loads of a spec, in the order of the loads. Each has at least one force or
+/// moment at a member end; the directions of a polygon are not demands.
+pub fn demands(loads: &[LoadSpec]) -> Vec<GivenActions> {
+    let mut out: Vec<GivenActions> = Vec::new();
     for load in loads.iter().filter(|l| !l.of_polygon) {
         let actions = end_actions(load);
         match out.iter_mut().find(|d| d.case == load.name) {
             _ if actions.is_empty() => {}
             Some(demand) => demand.actions.extend(actions),
-            None => out.push(CaseDemand { case: load.name.clone(), actions }),
+            None => out.push(GivenActions { case: load.name.clone(), actions }),
         }
     }
     out

@@ -9,7 +9,9 @@ use bracket_engine::solve::Solver;
 pub const WHEN_INTERRUPTED: &str = "the mesher stops now, the solvers after their current \
                                     iteration, and certified results are written";
 
-/// Solver of the conic programs, and the limits that end a run early.
+/// Solver of the conic programs, and the limits that end a run early. The default has no limit, and
+/// receives no signals.
+#[derive(Clone, Default)]
 pub struct Limits {
     /// The requested solver.
     pub solver: Solver,
@@ -27,6 +29,12 @@ impl Limits {
     pub fn new(solver: Solver, memory_limit: Option<&str>) -> Result<Self, Diagnostics> {
         let memory = memory_limit.map(memory_limit::parse).transpose()?;
         Ok(Limits { solver, time: None, memory, interrupt: Interrupt::watch()? })
+    }
+
+    /// The limits with the time limit of a spec \[s\]; the earlier one holds.
+    pub fn within(&self, time: Option<f64>) -> Self {
+        let time = [self.time, time].into_iter().flatten().reduce(f64::min);
+        Self { time, ..self.clone() }
     }
 }
 

@@ -24,6 +24,12 @@ pub struct Extent {
     pub size_factor: f64,
 }
 
+impl Default for Extent {
+    fn default() -> Self {
+        Self { full: false, size_factor: 1.0 }
+    }
+}
+
 impl Extent {
     /// Refuses size factors out of range.
     pub fn check(&self) -> Result<(), Diagnostics> {

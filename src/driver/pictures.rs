@@ -1,6 +1,6 @@
 //! Pictures of a case: mesh, deformed shape, contact pressures, convergence.
 
-use crate::driver::context::RunContext;
+use crate::driver::passes::Kept;
 use bracket_base::diag::{Diagnostic, Diagnostics};
 use bracket_base::math::vec3::{self, V3};
 use bracket_engine::analysis::dispatch::AnalysisPass;
@@ -19,6 +19,7 @@ use bracket_report::result::folder::ResultFolder;
 use bracket_report::result::forces::StaticForces;
 use bracket_report::result::result_file::CaseResult;
 use bracket_report::result::result_file::HistoryRow;
+use bracket_report::words::Words;
 
 pub(crate) fn png(picture: &Picture) -> Result<Vec<u8>, Diagnostics> {
     picture.to_png().map_err(|e| {
@@ -38,10 +39,9 @@ const VIEWS: [(&str, Option<V3>, &str); 3] = [
 /// The mesh from slightly above, from the front and from the side.
 pub fn mesh_pictures(
     model: &AnalysisModel,
-    context: &RunContext,
+    mirror: &[usize],
     folder: &ResultFolder,
 ) -> Result<Vec<PictureRef>, Diagnostics> {
-    let mirror = context.mirror.as_slice();
     let copies = if mirror.is_empty() { "" } else { ", completed by symmetry" };
     let surface = completed(&model.mesh, mirror);
     let one = |(file, eye, seen): (&str, Option<V3>, &str)| {
@@ -113,20 +113,17 @@ pub fn convergence(
 
 /// The deformed shape coloured by the size of the displacement.
 pub fn deformed_picture(
-    pass: &AnalysisPass,
-    name: &str,
-    model: &AnalysisModel,
-    context: &RunContext,
-    stem: &str,
+    Kept { outcome, model, .. }: &Kept,
+    (name, stem): (&str, &str),
+    (mirror, words): (&[usize], &Words),
     folder: &ResultFolder,
 ) -> Result<Option<PictureRef>, Diagnostics> {
-    let AnalysisPass::Energy(pass) = pass else { return Ok(None) };
+    let AnalysisPass::Energy(pass) = outcome else { return Ok(None) };
     let Some(u) = &pass.displacement else { return Ok(None) };
     let mesh = &model.mesh;
     let vertices = &u.u[..mesh.nodes.len()];
     let size: Vec<f64> = vertices.iter().map(|x| vec3::norm(*x)).collect();
     let Some(factor) = enlargement(&mesh.nodes, &size, VISIBLE) else { return Ok(None) };
-    let words = context.words();
     let field = Field {
         name: &words.say("displacement"),
         unit: "mm",
@@ -135,7 +132,7 @@ pub fn deformed_picture(
         colours: Colours::Spectrum,
     };
     let options = PictureOptions {
-        mirror: &context.mirror,
+        mirror,
         mesh_lines: false,
         field: Some(field),
         deformed: Some(Deformed {

@@ -16,6 +16,7 @@ use bracket_report::draw::contact_map::AXES;
 use bracket_report::draw::{drawing, dxf, moment_axial, moment_rotation, parts_drawing};
 use bracket_report::markdown::demand::on_planes;
 use bracket_report::markdown::report_data::CatalogueRow;
+use bracket_report::markdown::report_data::InputFacts;
 use bracket_report::markdown::report_data::PictureRef;
 use bracket_report::markdown::report_data::ResolvedValue;
 use bracket_report::markdown::report_data::Table;
@@ -31,12 +32,8 @@ pub fn spec_checks(input: &SpecFile) -> HandChecks {
     checks
 }
 
-/// The context of a spec, before anything is meshed.
-pub fn spec_context(
-    path: &Path,
-    input: &SpecFile,
-    checks: HandChecks,
-) -> Result<RunContext, Diagnostics> {
+/// What the folder of a result shows of a spec.
+pub fn spec_context(path: &Path, input: &SpecFile) -> Result<RunContext, Diagnostics> {
     let project = &input.spec.value.project;
     let title = project.title.clone().filter(|t| !t.trim().is_empty());
     let stem =
@@ -52,28 +49,31 @@ pub fn spec_context(
         block.extend(value.clone().map(|v| (name.to_string(), v)));
     }
     let end_plate = input.joint.end_plate.as_ref();
+    let (drawings, texts): (Vec<PictureRef>, Vec<String>) = drawings(input).into_iter().unzip();
+    let names = drawings.iter().map(|d| d.file.clone());
+    let mut files: Vec<(String, String)> = names.zip(texts).collect();
+    files.extend(end_plate.map(|e| {
+        let pieces = input.joint.content.end_plates();
+        (dxf::DXF_FILE.into(), plate_dxf(e, pieces, project.language))
+    }));
     Ok(RunContext {
-        project: block,
-        language: project.language,
-        input_name: path.file_name().map_or_else(String::new, |s| s.to_string_lossy().into_owned()),
-        input_text: input.text.clone(),
-        input_read: yaml::to_string(&as_read(input))?,
-        resolved: resolved_values(input),
-        catalogue_rows: catalogue_rows(input),
-        finer: "a smaller `--size-factor` or `analysis.mesh.size`",
-        coarser: "a coarser mesh (`--size-factor` above 1, or a larger `analysis.mesh.size`)",
-        checks,
-        demands: demands(&input.spec.value.loads),
-        plane_actions: plane_actions(input),
+        input: InputFacts {
+            project: block,
+            language: project.language,
+            name: path.file_name().map_or_else(String::new, |s| s.to_string_lossy().into_owned()),
+            text: input.text.clone(),
+            read: yaml::to_string(&as_read(input))?,
+            resolved: resolved_values(input),
+            demands: demands(&input.spec.value.loads),
+            plane_actions: plane_actions(input),
+            catalogue_rows: catalogue_rows(input),
+            drawings,
+            schedule: schedule::schedule(&parts_list(&input.joint.content)),
+            welds: schedule::welds(&welds_list(end_plate, &input.joint.content)),
+            supports: supports(&input.joint.assembly),
+        },
         rotation: end_plate.map_or_else(Default::default, moment_rotation::Frame::of),
-        drawings: drawings(input),
-        plate_dxf: end_plate
-            .map(|e| plate_dxf(e, input.joint.content.end_plates(), project.language)),
-        supports: supports(&input.joint.assembly),
-        schedule: schedule::schedule(&parts_list(&input.joint.content)),
-        welds: schedule::welds(&welds_list(end_plate, &input.joint.content)),
-        bolts: input.joint.bolts.clone(),
-        ..RunContext::default()
+        files,
     })
 }
 

@@ -47,16 +47,21 @@ impl SpecFile {
 /// Reads a spec and builds its joint. `catalog_dir` is the folder of `--catalog`, which takes
 /// precedence over `catalog` in the spec.
 pub fn read(path: &Path, catalog_dir: Option<&Path>) -> Result<SpecFile, Diagnostics> {
+    parse(&text(path)?, path, catalog_dir)
+}
+
+/// The text of a spec.
+pub fn text(path: &Path) -> Result<String, Diagnostics> {
     let text = text_file::read(path, |e| {
         Diagnostic::input("spec/read", format!("the spec `{}` cannot be read: {e}", path.display()))
             .file(path)
             .help("check the path; `bracket new TEMPLATE -o FILE` writes a starter spec")
     })?;
-    parse(&text, path, catalog_dir)
+    Ok(text)
 }
 
 /// The spec with this text. Its templates and tables are looked up beside `path`.
-fn parse(text: &str, path: &Path, catalog_dir: Option<&Path>) -> Result<SpecFile, Diagnostics> {
+pub fn parse(text: &str, path: &Path, catalog_dir: Option<&Path>) -> Result<SpecFile, Diagnostics> {
     let base = path.parent().unwrap_or(Path::new(""));
     with_templates(text, path, catalog_dir, Templates::Beside(base))
 }

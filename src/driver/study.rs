@@ -2,13 +2,13 @@
 
 use crate::driver::adaptive::Begun;
 use crate::driver::case::Case;
-use crate::driver::context::RunContext;
-use crate::driver::finish::INTERRUPTED;
 use crate::driver::interrupt::Interrupt;
 use crate::driver::limits::Limits;
 use crate::driver::meshing::{Extent, find_mesher, mesh, mesh_options};
 use crate::driver::passes::Share;
+use crate::driver::present::INTERRUPTED;
 use crate::driver::remesh::{ByBisection, Places};
+use crate::driver::setup::Refinement;
 use crate::driver::spec_cases::{cases, give_remesh};
 use crate::driver::spec_checks::{analysis_kinds, check_input};
 use crate::driver::spec_file::{self, SpecFile};
@@ -259,8 +259,7 @@ fn study(
         max_passes: options.max_passes.unwrap_or(ends.max_passes),
         max_macro_tets: options.max_macro_tets.unwrap_or(ends.max_macro_tets),
     };
-    let mut context =
-        RunContext { finer: "", coarser: "a coarser first mesh", ..RunContext::default() };
+    let mut refinement = Refinement { adapt: None, finer: "", coarser: "a coarser first mesh" };
     let mut rows = Vec::new();
     for solver in &options.solvers {
         limits.solver = *solver;
@@ -282,7 +281,7 @@ fn study(
                 ));
                 continue;
             }
-            context.adapt = level.is_none().then_some(ends);
+            refinement.adapt = level.is_none().then_some(ends);
             for case in cases {
                 forget_peak();
                 let until = limits.time.map_or(f64::INFINITY, |t| log.seconds() + t);
@@ -290,8 +289,8 @@ fn study(
                 // a mesh that does not fit into the memory is skipped
                 let patterns = Patterns::default();
                 let share = Share { until, both_within: f64::INFINITY, patterns: &patterns };
-                let begun = Begun::new(case, true, share, context.coarser, limits, log);
-                match begun.and_then(|b| b.end(until, &context, limits)) {
+                let begun = Begun::new(case, true, share, refinement.coarser, limits, log);
+                match begun.and_then(|b| b.end(until, &refinement, limits)) {
                     Ok(done) => rows.extend(study_rows(meshes, solver_name(*solver), &done.entry)),
                     Err(e) if rows.is_empty() => return Err(e),
                     Err(e) => log.line(format!("left out: {}", e.first().message)),

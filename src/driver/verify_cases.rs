@@ -4,7 +4,7 @@
 use crate::driver::case::not_analysed;
 use crate::driver::input_hash::{checked_hash, spec_hash};
 use crate::driver::meshing::Extent;
-use crate::driver::run_spec::{COMMAND_LINE, KIND, SIZE_FACTOR};
+use crate::driver::overrides::{COMMAND_LINE, KIND, SIZE_FACTOR};
 use crate::driver::spec_cases::{AskedCase, asked_cases};
 use crate::driver::spec_checks::analysis_kinds;
 use crate::driver::spec_file::SpecFile;
@@ -47,7 +47,7 @@ struct Asked<'a> {
 impl<'a> Asked<'a> {
     fn new(spec: &'a SpecFile, data: &ReportData) -> Result<Self, Diagnostics> {
         let option = |name: &str| {
-            let mut given = data.resolved.iter();
+            let mut given = data.input.resolved.iter();
             given.find(|r| r.name == name && r.origin == COMMAND_LINE).map(|r| &r.value)
         };
         let word = option(KIND);

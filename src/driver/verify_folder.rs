@@ -135,14 +135,14 @@ fn input(folder: &Path) -> Input {
         Ok(data) => Box::new(data),
         Err(faults) => return lost(faults),
     };
-    if data.input_text.trim().is_empty() {
+    if data.input.text.trim().is_empty() {
         return Input::Lost(format!("`{REPORT_DATA_FILE}` has none"));
     }
-    let path = folder.join(&data.input_name);
-    if let Ok(model) = yaml::parse::<ModelFile>(&data.input_text, &path) {
+    let path = folder.join(&data.input.name);
+    if let Ok(model) = yaml::parse::<ModelFile>(&data.input.text, &path) {
         return Input::Model(Box::new(model.value), data);
     }
-    match spec_file::stored(&data.input_text, &data.input_name, folder) {
+    match spec_file::stored(&data.input.text, &data.input.name, folder) {
         Ok(spec) => Input::Spec(Box::new(spec), data),
         Err(faults) => lost(faults),
     }

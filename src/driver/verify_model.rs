@@ -2,7 +2,7 @@
 
 use crate::driver::analyse_model::GIVEN_MESH;
 use crate::driver::input_hash::model_hash;
-use crate::driver::run_cases::safe_utilisation;
+use crate::driver::judge::safe_utilisation;
 use crate::driver::verify_mesh::{mesh_path, model_paths, read_model};
 use crate::driver::verify_spec::compared;
 use bracket_base::diag::Diagnostics;
@@ -42,7 +42,7 @@ pub fn of_model(
         return out;
     };
     // a file called model.yaml gives its case the name of its folder, which the result lacks
-    let stem = Path::new(&data.input_name).file_stem().map(|s| file_stem(&s.to_string_lossy()));
+    let stem = Path::new(&data.input.name).file_stem().map(|s| file_stem(&s.to_string_lossy()));
     let name = stem.filter(|s| s != "model").unwrap_or_else(|| case.name.clone());
     out.extend(first_difference(
         &json!([&case.name, asked]),
@@ -112,6 +112,6 @@ fn hash_difference(given: &Path, result: &ResultFile, data: &ReportData) -> Opti
     let Ok(mesh) = text_file::bytes(given) else {
         return Some(format!("{} cannot be read", given.display()));
     };
-    let found = model_hash(&data.input_text, &mesh);
+    let found = model_hash(&data.input.text, &mesh);
     first_difference(&json!(result.input_hash), &json!(found), "input_hash")
 }

@@ -2,30 +2,18 @@
 //! verdicts.
 
 use crate::driver::demands::demands;
-use crate::driver::finish::judge_result;
-use crate::driver::run_cases::safe_utilisation;
+use crate::driver::judge::judged;
 use crate::driver::spec_context::spec_checks;
 use crate::driver::spec_file::SpecFile;
 use bracket_codes::HandChecks;
-use bracket_report::result::demand::Demand;
 use bracket_report::result::result_file::ResultFile;
-use bracket_report::result::stiffness::joint_stiffness;
 use bracket_report::result::verify::first_difference;
 use serde_json::{Value, json};
 
 /// Differences of a result of a spec.
 pub fn of_spec(result: &ResultFile, input: &SpecFile) -> Vec<String> {
-    let mut checks = spec_checks(input);
-    let demands = demands(&input.spec.value.loads);
-    let mut again = result.clone();
-    for case in &mut again.cases {
-        case.utilisation = safe_utilisation(case);
-        let demand = demands.iter().find(|d| d.case == case.name);
-        case.demand = demand.map(|d| Demand::new(case, d.actions.clone(), &checks));
-        case.joint_stiffness = joint_stiffness(case, &checks.moments);
-    }
-    again.judgement = None;
-    judge_result(&mut again, &mut checks, &demands);
+    let checks = spec_checks(input);
+    let again = judged(result.clone(), &checks, &demands(&input.spec.value.loads));
     let mut out = compared(result, &again);
     out.extend(warnings_missing(result, &checks));
     out

@@ -1,6 +1,7 @@
 //! The documents agree with the program: they explain every key of `result.json`, the specs of the
 //! guide are valid, links lead to existing targets, and the README is short.
 
+use bracket::batch::results_table::{Column, columns};
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -177,6 +178,14 @@ fn every_key_of_a_result_is_explained() {
         .map(|(key, place)| format!("`{key}` of {place}"))
         .collect();
     assert!(missing.is_empty(), "docs/results.md does not explain {missing:#?}");
+}
+
+#[test]
+fn every_column_of_a_sweep_is_explained() {
+    let explained = explained(&read("docs/contract.md"));
+    let missing: Vec<String> =
+        columns().map(Column::header).filter(|header| !explained.contains(header)).collect();
+    assert!(missing.is_empty(), "not explained in docs/contract.md: {missing:?}");
 }
 
 #[test]

@@ -12,6 +12,7 @@ mod check;
 mod common;
 mod doctor;
 mod documents;
+mod library;
 mod mesh;
 mod paper_joint;
 mod wrong_inputs;

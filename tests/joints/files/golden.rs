@@ -8,6 +8,7 @@ use bracket::checks::{Check, Judgement, Status, Topic, Unit, Worked};
 use bracket::model::AnalysisKind;
 use bracket::report::markdown::compose::report_markdown;
 use bracket::report::markdown::report_data::CatalogueRow;
+use bracket::report::markdown::report_data::InputFacts;
 use bracket::report::markdown::report_data::ModelTraits;
 use bracket::report::markdown::report_data::PictureRef;
 use bracket::report::markdown::report_data::ReportData;
@@ -183,7 +184,7 @@ fn result() -> ResultFile {
 
 fn data() -> ReportData {
     let pair = |a: &str, b: &str| (a.to_string(), b.to_string());
-    ReportData {
+    let input = InputFacts {
         language: Default::default(),
         project: vec![
             pair("title", "Paper's joint"),
@@ -191,12 +192,11 @@ fn data() -> ReportData {
             pair("author", "A | B"),
             pair("revision", "A"),
         ],
-        result: result(),
-        input_name: "joint.yaml".into(),
-        input_read: "template: double_sided_end_plate\nplate:\n  thickness: 15 mm\n  width: 180 \
+        name: "joint.yaml".into(),
+        read: "template: double_sided_end_plate\nplate:\n  thickness: 15 mm\n  width: 180 \
                      mm\n"
             .into(),
-        input_text: "template: double_sided_end_plate\nplate: {thickness: 15, width: 180}  # ``` \
+        text: "template: double_sided_end_plate\nplate: {thickness: 15, width: 180}  # ``` \
                      stays inside\n"
             .into(),
         resolved: vec![ResolvedValue {
@@ -230,6 +230,10 @@ fn data() -> ReportData {
             columns: ["support", "part", "section", "held along"].map(String::from).to_vec(),
             rows: vec![["FOOT", "COLUMN", "z = -300 mm", "x y z"].map(String::from).to_vec()],
         },
+    };
+    ReportData {
+        input,
+        result: result(),
         pictures: vec![PictureRef { file: "mesh.png".into(), caption: "The meshed joint".into() }],
         mesh_quality: Table {
             columns: ["body", "tets", "least dihedral [°]"].map(String::from).to_vec(),

@@ -25,6 +25,8 @@ const TICK: Duration = Duration::from_millis(250);
 pub struct Log {
     start: Instant,
     quiet: bool,
+    /// Gets every line.
+    listener: Option<Listener>,
     lines: Mutex<String>,
     bars: MultiProgress,
     /// The current step.
@@ -32,6 +34,15 @@ pub struct Log {
     programs: Mutex<BTreeMap<Program, Bar>>,
     /// Whether there is a terminal to draw on.
     drawn: bool,
+}
+
+/// A function that gets the lines of a log.
+struct Listener(Box<dyn Fn(&str) + Send + Sync>);
+
+impl fmt::Debug for Listener {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Listener")
+    }
 }
 
 /// A program's bar and its pace.
@@ -64,8 +75,23 @@ impl Log {
         if drawn {
             stage.enable_steady_tick(TICK);
         }
-        let programs = Mutex::default();
-        Self { start: Instant::now(), quiet, lines: Mutex::default(), bars, stage, programs, drawn }
+        Self {
+            start: Instant::now(),
+            quiet,
+            listener: None,
+            lines: Mutex::default(),
+            bars,
+            stage,
+            programs: Mutex::default(),
+            drawn,
+        }
+    }
+
+    /// A log that hands every line to `listener` and shows nothing.
+    pub fn to(listener: impl Fn(&str) + Send + Sync + 'static) -> Self {
+        let mut log = Self::new(true);
+        log.listener = Some(Listener(Box::new(listener)));
+        log
     }
 
     /// Logs a line; shows it unless quiet.
@@ -147,6 +173,9 @@ impl Log {
         let mut lines = held(&self.lines);
         for line in visible(text).lines() {
             lines.push_str(&format!("[{seconds:9.3} s] {line}\n"));
+            if let Some(Listener(listener)) = &self.listener {
+                listener(line);
+            }
         }
     }
 }

@@ -29,7 +29,7 @@ pub(crate) fn assumptions(data: &ReportData) -> Vec<String> {
         out.extend(bounds);
     }
     let butt = |row: &Vec<String>| row.iter().any(|cell| cell.contains("full penetration"));
-    if data.welds.rows.iter().any(butt) {
+    if data.input.welds.rows.iter().any(butt) {
         out.push(
             "A weld without a throat in the spec counts as a full-penetration butt weld, as strong \
              as the thinner part."

@@ -26,10 +26,10 @@ pub fn report_markdown(data: &ReportData, words: &Words) -> String {
     verdict::verdict(&mut page, &data.result);
     hand_checks::failed(&mut page, &data.result.checks);
     summary::table_of_checks(&mut page, &data.result);
-    demand::demands(&mut page, &data.result, &data.demands);
-    if !data.plane_actions.rows.is_empty() {
+    demand::demands(&mut page, &data.result, &data.input.demands);
+    if !data.input.plane_actions.rows.is_empty() {
         paragraph(&mut page, &format!("{}:", inline(demand::ON_PLANES)));
-        table(&mut page, &data.plane_actions);
+        table(&mut page, &data.input.plane_actions);
     }
     for case in &data.result.cases {
         answer(&mut page, case, data);

@@ -13,14 +13,14 @@ pub(crate) fn sections(page: &mut String, data: &ReportData) {
         "The input as it was read: without comments, and with the defaults for what it leaves \
          out. The file itself is at the end of this report.",
     );
-    yaml(page, &data.input_read);
+    yaml(page, &data.input.read);
     values(page, data);
 }
 
 /// The input file as given, at the end of the report.
 pub(crate) fn file(page: &mut String, data: &ReportData) {
     heading(page, "Input file as given");
-    yaml(page, &data.input_text);
+    yaml(page, &data.input.text);
     page.truncate(page.trim_end().len());
     page.push('\n');
 }
@@ -39,9 +39,10 @@ fn yaml(page: &mut String, text: &str) {
 
 /// Resolved values, catalogue rows, notes.
 pub(crate) fn values(page: &mut String, data: &ReportData) {
-    if !data.resolved.is_empty() {
+    if !data.input.resolved.is_empty() {
         heading(page, "Resolved values");
         let rows = data
+            .input
             .resolved
             .iter()
             .map(|v| vec![v.name.clone(), v.value.clone(), v.unit.clone(), v.origin.clone()]);
@@ -53,9 +54,9 @@ pub(crate) fn values(page: &mut String, data: &ReportData) {
             },
         );
     }
-    if !data.catalogue_rows.is_empty() {
+    if !data.input.catalogue_rows.is_empty() {
         heading(page, "Catalogue rows");
-        let rows = data.catalogue_rows.iter().map(|r| {
+        let rows = data.input.catalogue_rows.iter().map(|r| {
             let values: Vec<String> =
                 r.values.iter().map(|(column, value)| format!("{column} {value}")).collect();
             vec![r.kind.clone(), r.name.clone(), values.join(", "), r.source.clone()]

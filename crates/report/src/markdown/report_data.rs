@@ -10,28 +10,27 @@ use bracket_joint::spec::connection::Language;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
-/// All data of the report. The numbers of the analyses come from `result`, the same as in
-/// `result.json`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct ReportData {
+/// The facts of the input: what a report says of it before anything is analysed.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct InputFacts {
     /// Lines of the title block in order, as name (`title`, `number`, `author`, …) and value. The
     /// first line is the heading.
     pub project: Vec<(String, String)>,
     /// Language of the reports.
     #[serde(default)]
     pub language: Language,
-    /// The result; `report.json` does not repeat it.
-    #[serde(skip, default = "nothing")]
-    pub result: ResultFile,
     /// Name of the input file as the user gave it.
-    pub input_name: String,
+    #[serde(rename = "input_name")]
+    pub name: String,
     /// Text of the input file, as given.
-    pub input_text: String,
+    #[serde(rename = "input_text")]
+    pub text: String,
     /// The input as read, as YAML: without comments, with the defaults of its fixed part.
-    pub input_read: String,
+    #[serde(rename = "input_read")]
+    pub read: String,
     /// Values that the program looked up, computed or assumed.
     pub resolved: Vec<ResolvedValue>,
-    /// Actions at member ends, of each load case that is a demand.
+    /// Actions at member ends, of each load case that is a demand; a model file has none.
     pub demands: Vec<GivenActions>,
     /// The actions at the bolt planes; empty where they are given there.
     #[serde(default)]
@@ -48,6 +47,18 @@ pub struct ReportData {
     /// Supports of the model; empty if there are none.
     #[serde(default)]
     pub supports: Table,
+}
+
+/// All data of the report. The numbers of the analyses come from `result`, the same as in
+/// `result.json`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ReportData {
+    /// The facts of the input; the keys of `report.json` do not nest.
+    #[serde(flatten)]
+    pub input: InputFacts,
+    /// The result; `report.json` does not repeat it.
+    #[serde(skip, default = "nothing")]
+    pub result: ResultFile,
     /// Pictures of the result folder.
     pub pictures: Vec<PictureRef>,
     /// Quality of the last mesh, usually one row for each body.
@@ -78,7 +89,7 @@ impl ReportData {
 
     /// The words of the reports. Names of load cases, bodies and members stay as given.
     pub fn words(&self) -> Words {
-        let given = self.demands.iter().flat_map(|d| {
+        let given = self.input.demands.iter().flat_map(|d| {
             d.actions.iter().flat_map(|a| [a.end.clone(), a.at.clone()]).chain([d.case.clone()])
         });
         let cases = self.result.cases.iter().flat_map(|c| {
@@ -86,8 +97,8 @@ impl ReportData {
             parts.chain(c.limiting_part.clone()).chain([c.name.clone()])
         });
         let checked = self.result.checks.iter().filter_map(|c| c.case.clone());
-        let named = self.resolved.iter().map(|v| v.name.clone());
-        Words::new(self.language, given.chain(cases).chain(checked).chain(named))
+        let named = self.input.resolved.iter().map(|v| v.name.clone());
+        Words::new(self.input.language, given.chain(cases).chain(checked).chain(named))
     }
 
     /// The data of a finished result folder.

@@ -29,11 +29,11 @@ fn text(data: &ReportData, scene: &Scene) -> String {
 #[test]
 fn texts_of_the_user_stay_text_and_pictures_are_inside() {
     let mut data = data();
-    data.project.iter_mut().for_each(|l| l.1 = HOSTILE.into());
-    data.drawings = ["drawing.svg", "gone.svg"]
+    data.input.project.iter_mut().for_each(|l| l.1 = HOSTILE.into());
+    data.input.drawings = ["drawing.svg", "gone.svg"]
         .map(|file| PictureRef { file: file.into(), caption: HOSTILE.into() })
         .to_vec();
-    data.input_text = HOSTILE.into();
+    data.input.text = HOSTILE.into();
     let mut scene = Scene::new(&[]);
     let mesh = TetMesh {
         nodes: vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],

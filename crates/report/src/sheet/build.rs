@@ -34,12 +34,13 @@ use std::collections::BTreeSet;
 /// The sheet of a report.
 pub fn sheet(data: &ReportData, words: &Words, extent: Extent, paper: Paper) -> Sheet {
     let full = extent == Extent::Full;
-    let title = data.project.first().map_or_else(|| data.input_name.clone(), |l| l.1.clone());
+    let title = data.input.project.first().map_or_else(|| data.input.name.clone(), |l| l.1.clone());
     // an office files reports by these lines: what the spec does not give is filled in by hand
     let filed = ["number", "revision", "author", "checker", "date"];
-    let given = |name: &str| data.project.iter().find(|line| line.0 == name).cloned();
+    let given = |name: &str| data.input.project.iter().find(|line| line.0 == name).cloned();
     let block = filed.map(|name| given(name).unwrap_or_else(|| (name.into(), Head::OPEN.into())));
-    let others = data.project.iter().skip(1).filter(|l| !filed.contains(&l.0.as_str())).cloned();
+    let others =
+        data.input.project.iter().skip(1).filter(|l| !filed.contains(&l.0.as_str())).cloned();
     let project = block.into_iter().chain(others).collect();
     let hash = data.result.input_hash.clone();
     let (rows, note) = match full {
@@ -51,9 +52,9 @@ pub fn sheet(data: &ReportData, words: &Words, extent: Extent, paper: Paper) -> 
         extent,
         head: Head::new(paper, title, project, words, &data.result.tool, hash),
         verdict: verdict(&data.result, words),
-        drawings: captions(&data.drawings, words),
-        actions: grid(&actions(&data.result, &data.demands), words),
-        plane_actions: grid(&data.plane_actions, words),
+        drawings: captions(&data.input.drawings, words),
+        actions: grid(&actions(&data.result, &data.input.demands), words),
+        plane_actions: grid(&data.input.plane_actions, words),
         plane_note: pieces(&words.say(ON_PLANES)),
         summary: rows.into_iter().map(|r| summary_line(r, words)).collect(),
         summary_note: pieces(&words.say(&note)),
@@ -61,10 +62,10 @@ pub fn sheet(data: &ReportData, words: &Words, extent: Extent, paper: Paper) -> 
         frame: if full { Grid::default() } else { grid(&joint_values(&data.result.checks), words) },
         method: method_section(&data.result.component_method, full, words),
         pictures: captions(&data.pictures, words),
-        design_values: design_values(&data.resolved, words),
-        schedule: grid(&data.schedule, words),
-        welds: grid(&data.welds, words),
-        supports: grid(&data.supports, words),
+        design_values: design_values(&data.input.resolved, words),
+        schedule: grid(&data.input.schedule, words),
+        welds: grid(&data.input.welds, words),
+        supports: grid(&data.input.supports, words),
         warnings: sentences(all_warnings(data)),
         topics: if full { topics(&data.result.checks, words) } else { Vec::new() },
         assumptions: sentences(assumptions(data)),
@@ -303,7 +304,7 @@ fn analysis_sections(data: &ReportData, words: &Words) -> Vec<Section> {
 
 fn input_sections(data: &ReportData, words: &Words) -> Vec<Section> {
     let values = section(words, |page| input::values(page, data));
-    let input = vec![Block::Code { text: data.input_text.clone() }];
+    let input = vec![Block::Code { text: data.input.text.clone() }];
     let all =
         [("Resolved values, catalogue rows and notes", values), ("Input file as given", input)];
     titled(all, words)

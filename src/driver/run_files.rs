@@ -1,0 +1,123 @@
+//! The files that a run writes while it solves: mesh, models, fields and pictures of its cases.
+
+use crate::driver::case_files::write_passes;
+use crate::driver::collapse_pictures::collapse_pictures;
+use crate::driver::interrupt::Interrupt;
+use crate::driver::meshing::quality_table;
+use crate::driver::pass_entry::lower_stress;
+use crate::driver::pictures::{contact_pictures, convergence, deformed_picture, mesh_pictures};
+use crate::driver::present::Drawn;
+use crate::driver::scene::add_case;
+use crate::driver::setup::RunSetup;
+use crate::driver::solved::{RunSink, SolvedCase};
+use crate::driver::spec_file::SpecFile;
+use bracket_base::diag::{Diagnostic, Diagnostics};
+use bracket_engine::mesh::msh_write;
+use bracket_joint::meshing::joint::JointMesh;
+use bracket_joint::spec::connection::Language;
+use bracket_report::markdown::report_data::{PictureRef, Table};
+use bracket_report::page::scene::Scene;
+use bracket_report::result::folder::ResultFolder;
+use bracket_report::words::Words;
+
+/// Writes into a result folder what a run hands over, and collects what the reports show of it.
+pub struct RunFiles<'a> {
+    folder: &'a ResultFolder,
+    /// The words of the pictures, for texts without names of the user.
+    words: Words,
+    /// Once it is asked for, no further picture is drawn.
+    interrupt: &'a Interrupt,
+    /// Also write the assembly and the mesher's script.
+    pub keep: bool,
+    /// Quality of the mesh that the pictures show; until then that of the first mesh.
+    pub mesh_quality: Table,
+    pictures: Vec<PictureRef>,
+    scene: Option<Scene>,
+}
+
+impl<'a> RunFiles<'a> {
+    /// The files of a run that has not begun.
+    pub fn new(folder: &'a ResultFolder, language: Language, interrupt: &'a Interrupt) -> Self {
+        Self {
+            folder,
+            words: Words::new(language, []),
+            interrupt,
+            keep: false,
+            mesh_quality: Table::default(),
+            pictures: Vec::new(),
+            scene: None,
+        }
+    }
+
+    /// What the reports show of the cases.
+    pub fn drawn(self) -> Drawn {
+        let Self { pictures, scene, mesh_quality, .. } = self;
+        Drawn { pictures, scene: scene.unwrap_or_default(), mesh_quality }
+    }
+}
+
+impl RunSink for RunFiles<'_> {
+    fn meshed(&mut self, input: &SpecFile, mesh: &JointMesh) -> Result<(), Diagnostics> {
+        msh_write::write(&mesh.mesh, &self.folder.path().join("mesh.msh"))?;
+        if self.keep {
+            keep(input, mesh, self.folder)?;
+        }
+        self.mesh_quality = quality_table(&mesh.quality);
+        Ok(())
+    }
+
+    fn solved(&mut self, case: &SolvedCase<'_>, setup: &RunSetup) -> Result<(), Diagnostics> {
+        let SolvedCase { adapted, stem, model_file: (model_name, first), alone } = *case;
+        let (entry, upper, folder) = (&adapted.entry, &adapted.upper, self.folder);
+        // the first mesh is `mesh.msh`; it stays where something else needs it
+        let only = alone && !adapted.keeps_first_mesh();
+        let mesh_name = if only { "mesh.msh".into() } else { format!("mesh_{stem}.msh") };
+        write_passes(adapted, first, [model_name, &mesh_name], stem, folder)?;
+        let best = adapted.lower.as_ref().unwrap_or(upper);
+        let stress = lower_stress(&best.outcome, entry);
+        let (names, mirror) = ((entry.name.as_str(), stem), setup.mirror.as_slice());
+        let maps = match (stress, &entry.static_forces) {
+            (Some(stress), Some(forces)) => {
+                contact_pictures(&best.model, stress, forces, mirror, names, folder)?
+            }
+            _ => Vec::new(),
+        };
+        let pictures = &mut self.pictures;
+        if let Some((_, _, quality)) = &upper.made
+            && pictures.is_empty()
+        {
+            self.mesh_quality = quality.clone();
+        }
+        let scene = self.scene.get_or_insert_with(|| Scene::new(mirror));
+        // they take seconds on large meshes, and none of them is part of a certificate
+        if !self.interrupt.asked() {
+            if pictures.is_empty() {
+                pictures.extend(mesh_pictures(&upper.model, mirror, folder)?);
+            }
+            pictures.extend(collapse_pictures(
+                (upper, best),
+                names,
+                (mirror, &self.words),
+                folder,
+            )?);
+            add_case(scene, &entry.name, upper, best, stress);
+        }
+        if !self.interrupt.asked() {
+            pictures.extend(deformed_picture(upper, names, (mirror, &self.words), folder)?);
+        }
+        pictures.extend(maps);
+        let target = setup.refinement.adapt.map(|a| a.target_gap);
+        pictures.extend(convergence(entry, target, stem, folder)?);
+        Ok(())
+    }
+}
+
+/// Writes the data that pass between the stages: the assembly and the mesher's script.
+fn keep(input: &SpecFile, meshed: &JointMesh, folder: &ResultFolder) -> Result<(), Diagnostics> {
+    let text = serde_json::to_string_pretty(&input.joint).map_err(|e| {
+        Diagnostic::environment("cli/keep", format!("the assembly cannot be written: {e}"))
+    })?;
+    folder.write("joint.json", text.as_bytes())?;
+    folder.write("joint.geo", meshed.geo.as_bytes())?;
+    Ok(())
+}

@@ -1,0 +1,125 @@
+//! Solves the cases of a run: bounds, forces and polygon, without a verdict.
+
+use crate::driver::adaptive::Adapted;
+use crate::driver::case::{Case, not_analysed, refuse_idle, stems};
+use crate::driver::limits::Limits;
+use crate::driver::pass_entry::lower_stress;
+use crate::driver::polygon::Directions;
+use crate::driver::queue::Queue;
+use crate::driver::setup::RunSetup;
+use crate::driver::solved::{Models, RunSink, Solved, SolvedCase};
+use bracket_base::diag::Diagnostics;
+use bracket_codes::verdict::Verdict;
+use bracket_engine::certify::faces::contact_faces;
+use bracket_engine::model::AnalysisModel;
+use bracket_engine::solve::Patterns;
+use bracket_report::console::log::Log;
+use bracket_report::markdown::report_data::ModelTraits;
+use bracket_report::result::forces::static_forces;
+use bracket_report::result::preload::mark_halved;
+use bracket_report::result::result_file::{CaseResult, ResultFile};
+use std::sync::Arc;
+
+/// Analyses the cases in turn and hands each to `sink`.
+pub fn solve(
+    cases: Vec<Case>,
+    setup: &RunSetup,
+    limits: &Limits,
+    sink: &mut dyn RunSink,
+    log: &Arc<Log>,
+) -> Result<Solved, Diagnostics> {
+    cases.iter().try_for_each(refuse_idle)?;
+    let symmetry = cases.first().map_or(1, |c| c.model.symmetry);
+    let mut result = ResultFile::new(setup.input_hash.clone(), symmetry, Verdict::None);
+    result.warnings.clone_from(&setup.warnings);
+    let asked: Vec<String> = cases.iter().map(|c| c.name.clone()).collect();
+    result.asked.clone_from(&asked);
+    let traits = ModelTraits { facets: true, symmetry: symmetry > 1, ..ModelTraits::default() };
+    let mut solved = Solved { result, models: Models { traits, notes: Vec::new() } };
+    let stems = stems(&cases);
+    let mut directions = Directions::among(&cases, setup.polygon.as_ref());
+    // the first mesh is the same for all cases
+    let patterns = Patterns::default();
+    let kept: Vec<_> = cases.iter().map(|c| (c.model_file.clone(), c.direction)).collect();
+    let mut queue = Queue::new(cases, &patterns, setup.refinement.coarser, limits, log);
+    if let Some(time) = limits.time {
+        queue.lower_bounds(time)?;
+        queue.upper_bounds()?;
+    }
+    for (i, (model_file, direction)) in kept.into_iter().enumerate() {
+        if limits.interrupt.asked() && i > 0 && queue.untouched(i) {
+            solved.result.warnings.push(not_analysed(&asked[i..]));
+            break;
+        }
+        let begun = queue.take(i)?;
+        if let Some(model) = begun.model() {
+            note_traits(model, &mut solved.models);
+        }
+        let now = log.seconds();
+        let until = limits
+            .time
+            .map_or(f64::INFINITY, |t| now + (t - now).max(0.0) / (asked.len() - i) as f64);
+        let mut adapted = begun.end(until, &setup.refinement, limits)?;
+        complete(&mut adapted, setup);
+        let (stem, alone) = (stems[i].as_str(), asked.len() == 1);
+        let case = SolvedCase { adapted: &adapted, stem, model_file: &model_file, alone };
+        sink.solved(&case, setup)?;
+        let Adapted { entry, upper, .. } = adapted;
+        if let (Some(directions), Some(direction)) = (&mut directions, direction) {
+            directions.add(direction, &entry, &upper);
+        }
+        solved.result.cases.push(entry);
+    }
+    let result = &mut solved.result;
+    result.warnings.extend(without_bounds(&result.cases));
+    result.polygon = directions.and_then(Directions::polygon);
+    Ok(solved)
+}
+
+/// Adds to the entry of a case what its fields show: a warning if a program did not fit into the
+/// memory, preloads of halved bolts, and the forces of the static field.
+fn complete(adapted: &mut Adapted, setup: &RunSetup) {
+    let RunSetup { mirror, bolts, .. } = setup;
+    let Adapted { entry, upper, lower, .. } = adapted;
+    if upper.outcome.runs().iter().any(|(_, run)| run.refusal.is_some()) {
+        entry.warnings.push(format!(
+            "both bounds need {}, or more memory; `bounds` in a model file asks for one of them \
+             alone",
+            setup.refinement.coarser
+        ));
+    }
+    let best = lower.as_ref().unwrap_or(upper);
+    mark_halved(&mut entry.preload, &best.model, mirror);
+    let stress = lower_stress(&best.outcome, entry).filter(|_| !bolts.is_empty());
+    let forces =
+        stress.map(|(stress, factor)| static_forces(&best.model, stress, factor, bolts, mirror));
+    entry.static_forces = forces;
+}
+
+/// The warning about the analyses that ended without any bound.
+fn without_bounds(cases: &[CaseResult]) -> Option<String> {
+    let bare = cases.iter().filter(|c| c.lower.is_none() && c.upper.is_none());
+    let named: Vec<String> = bare
+        .map(|c| {
+            let why = c.ended_by().map_or_else(String::new, |s| format!(", {s}"));
+            format!("{} ({}{why})", c.name, c.analysis.word())
+        })
+        .collect();
+    (!named.is_empty()).then(|| format!("not analysed, without any bound: {}", named.join("; ")))
+}
+
+/// Adds the traits and notes of a model to those of the run.
+fn note_traits(model: &AnalysisModel, models: &mut Models) {
+    let contacts = contact_faces(model);
+    let traits = &mut models.traits;
+    traits.contact |= !contacts.is_empty();
+    traits.friction |= model.has_friction();
+    traits.coulomb |= model.has_coulomb_friction();
+    traits.preload |= model.has_preload();
+    traits.initial_gap |= contacts.iter().any(|f| !f.law.gap.is_zero());
+    for note in &model.notes {
+        if !models.notes.contains(note) {
+            models.notes.push(note.clone());
+        }
+    }
+}
