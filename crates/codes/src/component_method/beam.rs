@@ -2,10 +2,10 @@
 
 use crate::check::{Unit, number as n, within};
 use crate::eurocode::i_section::Section;
-use crate::eurocode::section::{
-    Class, Slenderness, epsilon, plastic_shear, reduced_modulus, shear_reduction,
-};
+use crate::eurocode::section::{Class, Slenderness, epsilon, reduced_modulus, shear_reduction};
+use crate::eurocode::yielding::plastic_shear;
 use crate::worked::Worked;
+use bracket_joint::strength::Nominal;
 
 /// Depth of a beam above which its web may contribute at most a fifth of the compression \[mm\],
 /// 6.2.6.7(1).
@@ -54,7 +54,7 @@ pub fn bending_6_2_8(beam: &Section, fy: f64, shear: f64, gamma_m0: f64) -> Work
         n(stress),
         n(gamma_m0)
     );
-    let ratio = shear / plastic_shear(beam.shear_area(), fy, gamma_m0);
+    let ratio = shear / plastic_shear(beam.shear_area(), Nominal::new(fy), gamma_m0);
     let mut value = whole;
     if ratio > 0.5 {
         let rho = shear_reduction(ratio).min(1.0);

@@ -3,6 +3,7 @@
 use super::joint::Column;
 use crate::check::{Unit, number as n, within};
 use crate::eurocode::section::{epsilon, shear_buckling};
+use crate::eurocode::yielding::in_shear;
 use crate::worked::Worked;
 
 /// Greatest slenderness d/(t_w ε) of a web panel whose shear resistance is plastic, 6.2.6.1(1).
@@ -85,8 +86,7 @@ impl ShearPanel {
     /// EN 1993-1-8:2005 6.2.6.1(1) to (4), formula 6.7; EN 1993-1-5:2006 5.2 and 5.3, Table 5.1
     /// (non-rigid end posts, η = 1).
     pub fn resistance(&self) -> Worked {
-        let root3 = 3f64.sqrt();
-        let plastic = 0.9 * self.fy * self.area / (root3 * self.gamma_m0) + self.stiffeners;
+        let plastic = in_shear(0.9 * self.fy * self.area, self.gamma_m0) + self.stiffeners;
         let (slenderness, limit) = self.slenderness();
         let title = "column web panel in shear";
         let stiffeners = if self.stiffeners > 0.0 { " + V_wp,add,Rd" } else { "" };
@@ -102,8 +102,7 @@ impl ShearPanel {
         let (mut clause, mut value) = ("EN 1993-1-8:2005 6.2.6.1", plastic);
         if self.slender() {
             let (_, chi) = shear_buckling(self.web_depth, self.web, self.fy);
-            let buckling =
-                0.9 * chi * self.web_depth * self.web * self.fy / (root3 * self.gamma_m1);
+            let buckling = in_shear(0.9 * chi * self.web_depth * self.web * self.fy, self.gamma_m1);
             if buckling < plastic {
                 (clause, value) = ("EN 1993-1-5:2006 5.2", buckling);
                 formula = format!(

@@ -2,7 +2,8 @@
 
 use crate::check::{Check, Status, Topic, Unit, number as n, within};
 use crate::eurocode::i_section::Section;
-use crate::eurocode::section::{Class, CrossSection, Slenderness, plastic_shear, shear_reduction};
+use crate::eurocode::section::{Class, CrossSection, Slenderness, shear_reduction};
+use crate::eurocode::yielding::{plastic_shear, yield_strength};
 use crate::worked::Worked;
 use bracket_joint::assembly::{EndPlate, PlaneActions};
 
@@ -112,9 +113,9 @@ impl WeakAxis {
     /// EN 1993-1-1:2005 6.2.9.1(5) and (6) in classes 1 and 2, α = 2, β = 5 n ≥ 1; 6.2.9.2 in class
     /// 3: the stresses add.
     fn new(e: &EndPlate, beam: &CrossSection, axial: f64, across: f64) -> Self {
-        let (s, fyd) = (&beam.section, beam.fy / beam.gamma_m0);
+        let (s, fyd) = (&beam.section, yield_strength(beam.fy, beam.gamma_m0).mpa());
         let part = axial.abs() / beam.axial().value;
-        let class = Slenderness::new(s, s.r).class(s, beam.fy, (-axial).max(0.0));
+        let class = Slenderness::new(s, s.r).class(s, beam.fy.mpa(), (-axial).max(0.0));
         if class == Class::Plastic {
             let a = ((s.area - 2.0 * s.b * s.tf) / s.area).min(0.5);
             let left = if part > a { 1.0 - ((part - a) / (1.0 - a)).powi(2) } else { 1.0 };
@@ -166,7 +167,7 @@ fn twisted(
     [vy, vz]: [f64; 2],
     subject: &str,
 ) -> Vec<Check> {
-    let (s, shear) = (&beam.section, beam.fy / (3f64.sqrt() * beam.gamma_m0));
+    let (s, shear) = (&beam.section, plastic_shear(1.0, beam.fy, beam.gamma_m0));
     let thickest = s.tf.max(s.tw);
     let formula = format!(
         "T_Rd = I_t/t (f_y/√3)/γ_M0 = {}/{} · {}; St. Venant alone: the restraint of warping at \
@@ -213,7 +214,7 @@ fn twisted(
 pub(super) fn beyond_the_beam(e: &EndPlate, a: &PlaneActions) -> Option<String> {
     let [[axial, vy, vz], [_, my, _]] = a.at(1.0);
     let section = Section::from(&e.beam);
-    let fyd = e.beam_steel.fy / e.factors.gamma_m0;
+    let fyd = yield_strength(e.beam_steel.fy, e.factors.gamma_m0).mpa();
     let moment = (my.abs(), section.w_pl * fyd, "My", "M_pl,Rd", Unit::Moment);
     let normal = (axial.abs(), section.area * fyd, "N", "N_pl,Rd", Unit::Force);
     let shear = (

@@ -4,6 +4,7 @@
 use super::column_forces::{ColumnForces, Moment, columns, known, unsupported};
 use crate::check::{Check, Status, Topic, Unit, number as n, within};
 use crate::eurocode::section::CrossSection;
+use crate::eurocode::yielding::plastic;
 use crate::worked::Worked;
 use bracket_joint::assembly::{ColumnSide, EndPlate};
 
@@ -65,7 +66,7 @@ fn shear(e: &EndPlate, c: &ColumnSide, f: &ColumnForces) -> Option<Check> {
 pub(super) fn beyond_the_column(e: &EndPlate) -> Option<String> {
     let c = e.column.as_ref()?;
     let column = cross_section(e, c);
-    let plastic = column.section.w_pl * column.fy / column.gamma_m0;
+    let plastic = plastic(column.section.w_pl, column.fy, column.gamma_m0);
     let given = [
         ("N_Ed", c.axial, column.axial().value, Unit::Force),
         ("M_Ed", c.moment, plastic, Unit::Moment),
@@ -168,10 +169,10 @@ fn net_tension(e: &EndPlate, c: &ColumnSide) -> Worked {
         n(holes),
         n(e.hole),
         n(c.section.tf),
-        n(c.steel.fu),
+        n(c.steel.fu.mpa()),
         n(gamma)
     );
-    let value = 0.9 * net * c.steel.fu / gamma;
+    let value = 0.9 * net * c.steel.fu.mpa() / gamma;
     let title = "tension of the column beside its holes";
     Worked::new("EN 1993-1-1:2005 6.2.3(2)b", title, value, Unit::Force, formula)
 }

@@ -120,7 +120,7 @@ fn overhang(e: &EndPlate, c: &ColumnSide) -> Option<Check> {
 /// # Source
 /// EN 1993-1-5:2006 9.2.1(8).
 fn stiffener_slenderness(c: &ColumnSide) -> Check {
-    let limit = STIFFENER_SLENDERNESS * epsilon(c.steel.fy);
+    let limit = STIFFENER_SLENDERNESS * epsilon(c.steel.fy.mpa());
     let outstand = 0.5 * (c.section.b - c.section.tw);
     let rule = (limit * c.stiffener, format!("13 ε t_s = {} · {}", n(limit), n(c.stiffener)));
     let title = ("EN 1993-1-5:2006 9.2.1", "outstand of the stiffener");

@@ -12,7 +12,7 @@ use bracket_joint::assembly::ColumnSide;
 /// t_wc.
 pub(super) fn doubler_fault(c: &ColumnSide) -> Option<String> {
     let (s, width) = (&c.section, doubler_width(c));
-    let widest = 40.0 * epsilon(c.steel.fy) * c.doubler;
+    let widest = 40.0 * epsilon(c.steel.fy.mpa()) * c.doubler;
     if !within(s.tw, c.doubler) {
         return Some(format!(
             "t_s = {} mm is less than t_wc = {} mm (6.2.6.1)",

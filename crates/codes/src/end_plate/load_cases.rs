@@ -18,7 +18,7 @@ use super::transformation::beta;
 use super::weld_checks;
 use crate::check::{Check, Status, Topic, Unit, within};
 use crate::eurocode::i_section::Section;
-use crate::eurocode::section::plastic_shear;
+use crate::eurocode::yielding::plastic_shear;
 use bracket_joint::assembly::{EndPlate, PlaneActions};
 
 /// Adds the checks of every load case and member end.

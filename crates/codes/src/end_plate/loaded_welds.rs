@@ -7,6 +7,7 @@ use crate::check::{Check, Status, Topic, Unit, number as n, within};
 use crate::eurocode::welds::{
     LineForce, WeldedSteel, either_method, full_strength_throat, transverse,
 };
+use crate::eurocode::yielding::plastic;
 use crate::worked::Worked;
 use bracket_joint::assembly::{EndPlate, PlaneActions};
 
@@ -31,7 +32,7 @@ struct FlangeForces {
 
 /// Resistance of a flange as a plate, `b t_f f_y/γ_M0` \[N\].
 pub(super) fn flange_strength(e: &EndPlate) -> f64 {
-    e.beam.b * e.beam.tf * e.beam_steel.fy / e.factors.gamma_m0
+    plastic(e.beam.b * e.beam.tf, e.beam_steel.fy, e.factors.gamma_m0)
 }
 
 /// Shares of the flanges: half of the axial force, and the moment on their lever arm, no more than
@@ -145,7 +146,7 @@ fn web(
     let l = length.value;
     let rest = forces.axial / l + 6.0 * forces.moment / (l * l);
     let whole = LineForce { across: 0.5 * rest, along: 0.5 * vz.abs() / l };
-    let most = 0.5 * e.beam.tw * e.beam_steel.fy / e.factors.gamma_m0;
+    let most = plastic(0.5 * e.beam.tw, e.beam_steel.fy, e.factors.gamma_m0);
     let (capped, part) = web_yields(whole, most);
     let demand = capped.resultant();
     let mut worked = either_method(capped, e.web_throat, steel);

@@ -7,6 +7,7 @@ use super::sense::Sense;
 use crate::check::{Check, Status, Unit, within};
 use crate::component_method::equilibrium::SMALL_AXIAL;
 use crate::ductility::{Clamped, plastic_distribution, rotation_capacity};
+use crate::eurocode::yielding::plastic;
 use bracket_joint::assembly::EndPlate;
 
 /// Grades covered by the rules of rotation capacity, EN 1993-1-8:2005 6.4.2(1).
@@ -114,7 +115,7 @@ impl RotationRules {
 
 /// Reason why 6.4.2 does not cover the joint: its steels or its axial force.
 fn not_covered(e: &EndPlate) -> Option<String> {
-    let plastic = 1e2 * e.beam.area * e.beam_steel.fy / e.factors.gamma_m0;
+    let plastic = plastic(1e2 * e.beam.area, e.beam_steel.fy, e.factors.gamma_m0);
     let axial = e.actions.iter().map(|a| a.at(1.0)[0][0].abs()).fold(0.0, f64::max);
     let steels = [Some(&e.plate_steel), Some(&e.beam_steel), e.column.as_ref().map(|c| &c.steel)];
     let covered = |grade: &str| EN_6_4_2_STEELS.iter().any(|g| grade.starts_with(g));

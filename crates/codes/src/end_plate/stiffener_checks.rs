@@ -15,6 +15,7 @@ use crate::component_method::assembly::Group;
 use crate::component_method::column_web::compressed_thickness;
 use crate::component_method::{Assessment, Summed, assess};
 use crate::eurocode::welds::{LineForce, either_method, full_strength_throat, least_size};
+use crate::eurocode::yielding::{plastic, plastic_shear};
 use crate::worked::Worked;
 use bracket_joint::assembly::{ColumnSide, EndPlate, Way};
 use std::f64::consts::SQRT_2;
@@ -32,7 +33,7 @@ struct Stiffeners<'a> {
 impl Stiffeners<'_> {
     /// A_net f_y/γ_M0 of both sides of the web \[N\].
     fn resistance(&self) -> f64 {
-        2.0 * contact(self.c) * self.c.stiffener * self.c.steel.fy / self.gamma_m0
+        plastic(2.0 * contact(self.c) * self.c.stiffener, self.c.steel.fy, self.gamma_m0)
     }
 
     /// The formula of the resistance with its numbers.
@@ -41,7 +42,7 @@ impl Stiffeners<'_> {
             "A_net f_y/γ_M0 = 2 · {} · {} · {}/{} = {}",
             n(contact(self.c)),
             n(self.c.stiffener),
-            n(self.c.steel.fy),
+            n(self.c.steel.fy.mpa()),
             n(self.gamma_m0),
             Unit::Force.show(self.resistance())
         )
@@ -102,7 +103,7 @@ fn compression(
 ) -> Option<(Check, Share)> {
     let limit = bare.limit(Summed::ColumnWeb)?;
     let (width, kwc, omega) = (limit.step("b_eff")?, limit.step("k_wc")?, limit.step("ω")?);
-    let alone = omega * kwc * width * web * s.c.steel.fy / s.gamma_m0;
+    let alone = plastic(omega * kwc * width * web, s.c.steel.fy, s.gamma_m0);
     let force = loaded.push;
     let both = alone + s.resistance();
     let formula = format!(
@@ -326,7 +327,7 @@ pub(super) fn doubler_welds(end: &MemberEnd<'_>) -> Vec<Check> {
     let panel = PanelShear::new(e, end.a, other, end.assessment.stiffness.lever);
     let shear = panel.demand;
     // the plate brings no more than it yields with
-    let most = c.doubler * c.steel.fy / (3f64.sqrt() * e.factors.gamma_m0);
+    let most = plastic_shear(c.doubler, c.steel.fy, e.factors.gamma_m0);
     let flow = (shear * c.section.tw / area).min(most);
     let mut worked = either_method(LineForce { across: 0.0, along: flow }, a, &steel);
     worked.formula = format!(

@@ -23,10 +23,10 @@ const GAMMA_MU: f64 = 1.1;
 /// Table 6.2 with f_u and γ_Mu = 1.1.
 pub(super) fn tying(e: &EndPlate) -> Option<Check> {
     let mut j = component_joint(e, 0.0);
-    j.plate.fy = e.plate_steel.fu;
-    j.beam.fy = e.beam_steel.fu;
+    j.plate.fy = e.plate_steel.fu.mpa();
+    j.beam.fy = e.beam_steel.fu.mpa();
     if let (Some(c), Some(side)) = (&mut j.column, &e.column) {
-        c.fy = side.steel.fu;
+        c.fy = side.steel.fu.mpa();
     }
     (j.gamma_m0, j.gamma_m1) = (GAMMA_MU, GAMMA_MU);
     j.bolts.tension = bolt_tension(e, GAMMA_MU);
@@ -45,7 +45,7 @@ pub(super) fn tying(e: &EndPlate) -> Option<Check> {
                 .fold(f64::INFINITY, f64::min)
         })
         .collect();
-    let beam = 1e2 * e.beam.area * e.beam_steel.fu / GAMMA_MU;
+    let beam = 1e2 * e.beam.area * e.beam_steel.fu.mpa() / GAMMA_MU;
     let value = each.iter().sum::<f64>().min(beam);
     if !value.is_finite() {
         return None;

@@ -11,6 +11,7 @@ use crate::component_method::Assessment;
 use crate::eurocode::welds::{
     LineForce, across_and_along, directional, full_strength_throat, least_size,
 };
+use crate::eurocode::yielding::plastic;
 use crate::worked::Worked;
 use bracket_joint::assembly::EndPlate;
 
@@ -71,7 +72,7 @@ fn web_welds(
     let (throat, length) = (e.web_throat, weld_lengths::web(e));
     let run = length.value;
     let steel = welded_steel::of_the_beam(e).filter(|_| throat > 0.0 && run > 0.0)?;
-    let most = e.beam.tw * e.beam_steel.fy / e.factors.gamma_m0;
+    let most = plastic(e.beam.tw, e.beam_steel.fy, e.factors.gamma_m0);
     let each = stretches(a, run).into_iter().map(|s| {
         let pull: f64 = (s.first..=s.last).map(&force).sum();
         let whole = LineForce { across: 0.5 * pull / s.width, along: 0.5 * shear / run };
@@ -85,7 +86,7 @@ fn web_welds(
                     "the web brings b_eff t_w f_y/γ_M0 = {} · {} · {}/{} = {}",
                     n(s.width),
                     n(e.beam.tw),
-                    n(e.beam_steel.fy),
+                    n(e.beam_steel.fy.mpa()),
                     n(e.factors.gamma_m0),
                     Unit::Force.show(capped)
                 ),
@@ -159,7 +160,7 @@ pub(super) fn not_the_weakest(
     let mut out = Vec::new();
     out.extend(of_the_flange(e, subject, a, otherwise));
     if e.web_throat == 0.0 {
-        let strength = e.beam.tw * e.beam_steel.fy / e.factors.gamma_m0;
+        let strength = plastic(e.beam.tw, e.beam_steel.fy, e.factors.gamma_m0);
         let words =
             "full penetration: as strong as the web (4.7.1), it limits no row; t_w f_y/γ_M0";
         let title = "web weld no weaker than the rows in tension";
@@ -214,7 +215,7 @@ fn of_the_flange(e: &EndPlate, subject: &str, a: &Assessment, otherwise: Status)
     };
     let title = "flange weld no weaker than the joint";
     let mut out = vec![check(NOT_THE_WEAKEST, title, (joint, "M_j,Rd".to_owned()), otherwise)];
-    let plastic = 1e3 * e.beam.w_pl_y * e.beam_steel.fy / e.factors.gamma_m0;
+    let plastic = plastic(1e3 * e.beam.w_pl_y, e.beam_steel.fy, e.factors.gamma_m0);
     // no hinge rotates in the joint where the beam yields first, or in a sense that no load case
     // has
     if within(HINGE_IN_BEAM * plastic, joint)

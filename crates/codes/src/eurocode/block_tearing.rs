@@ -1,5 +1,6 @@
 //! Block tearing: EN 1993-1-8:2005 3.10.2.
 
+use super::yielding::in_shear;
 use crate::check::{Unit, number as n};
 use crate::worked::Worked;
 
@@ -31,7 +32,7 @@ impl Blocks {
     pub fn resistance(&self, gamma_m0: f64, gamma_m2: f64) -> Worked {
         let area = |length: f64| self.count * length.max(0.0) * self.thickness;
         let (tension, shear) = (area(self.tension), area(self.shear));
-        let value = self.fu * tension / gamma_m2 + self.fy * shear / (3f64.sqrt() * gamma_m0);
+        let value = self.fu * tension / gamma_m2 + in_shear(self.fy * shear, gamma_m0);
         let formula = format!(
             "V_eff,1,Rd = f_u A_nt/γ_M2 + f_y A_nv/(√3 γ_M0) = {} · {}/{} + {} · {}/(√3 · {})",
             n(self.fu),

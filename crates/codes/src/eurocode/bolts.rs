@@ -2,8 +2,30 @@
 
 use crate::check::{Unit, number as n};
 use crate::worked::Worked;
-use bracket_joint::assembly::inputs::K2;
 use bracket_joint::catalog::{BoltGrade, BoltSize};
+use bracket_joint::strength::{BoltShank, Design, Nominal};
+
+/// k2 of bolts that are not countersunk.
+///
+/// # Source
+/// EN 1993-1-8:2005 Table 3.4.
+const K2: f64 = 0.9;
+
+/// F_t,Rd of a bolt \[N\], `k2 f_ub A_s/γ_M2`; `stress_area` A_s \[mm²\].
+///
+/// # Source
+/// EN 1993-1-8:2005 Table 3.4.
+fn tension(fub: Nominal, stress_area: f64, gamma_m2: f64) -> f64 {
+    K2 * fub.mpa() * stress_area / gamma_m2
+}
+
+/// Design yield strength of a shank that yields under F_t,Rd: `F_t,Rd` over the area of the shank.
+///
+/// # Source
+/// EN 1993-1-8:2005 Table 3.4; the area of the shank in place of A_s is this program's.
+pub fn shank_strength(bolt: &BoltShank, gamma_m2: f64) -> Design {
+    Design::new(tension(bolt.fub, bolt.stress_area, gamma_m2) / bolt.shank_area)
+}
 
 /// Design tension resistance of one bolt \[N\].
 ///
@@ -12,7 +34,7 @@ use bracket_joint::catalog::{BoltGrade, BoltSize};
 /// # Source
 /// EN 1993-1-8:2005 Table 3.4.
 pub fn tension_resistance(bolt: &BoltSize, grade: &BoltGrade, gamma_m2: f64) -> Worked {
-    let value = K2 * grade.fub * bolt.stress_area / gamma_m2;
+    let value = tension(Nominal::new(grade.fub), bolt.stress_area, gamma_m2);
     let formula = format!(
         "F_t,Rd = k2 f_ub A_s / γ_M2 = {} · {} · {} / {}",
         n(K2),

@@ -2,9 +2,11 @@
 //! axial force is positive in tension.
 
 use super::i_section::Section;
+use super::yielding::{in_shear, plastic, plastic_shear, yield_strength};
 use crate::check::{Unit, number as n, within};
 use crate::error::CheckError;
 use crate::worked::Worked;
+use bracket_joint::strength::Nominal;
 
 /// Factor ε = √(235/f_y).
 ///
@@ -63,14 +65,6 @@ impl Slenderness {
     }
 }
 
-/// Plastic shear resistance \[N\] of a shear area A_v \[mm²\], `V_pl,Rd = A_v f_y/(√3 γ_M0)`.
-///
-/// # Source
-/// EN 1993-1-1:2005 6.2.6(2), formula 6.18.
-pub fn plastic_shear(shear_area: f64, fy: f64, gamma_m0: f64) -> f64 {
-    shear_area * fy / (3f64.sqrt() * gamma_m0)
-}
-
 /// Reduction ρ of the strength of the shear area beside a shear force, `ratio` = V_Ed/V_pl,Rd:
 /// `(2 V_Ed/V_pl,Rd − 1)²` above one half, otherwise 0. Beyond V_pl,Rd it is more than 1.
 ///
@@ -105,8 +99,8 @@ pub fn shear_buckling(depth: f64, web: f64, fy: f64) -> (f64, f64) {
 pub struct CrossSection {
     /// Dimensions.
     pub section: Section,
-    /// Nominal yield strength f_y \[MPa\].
-    pub fy: f64,
+    /// Yield strength f_y.
+    pub fy: Nominal,
     /// γ_M0.
     pub gamma_m0: f64,
 }
@@ -136,7 +130,7 @@ impl CrossSection {
         let formula = format!(
             "V_pl,Rd = A_v f_y/(√3 γ_M0) = {} · {}/(√3 · {})",
             n(area),
-            n(self.fy),
+            n(self.fy.mpa()),
             n(self.gamma_m0)
         );
         Worked::new("EN 1993-1-1:2005 6.2.6(2)", title, value, Unit::Force, formula).with(
@@ -151,11 +145,11 @@ impl CrossSection {
     /// # Source
     /// EN 1993-1-1:2005 6.2.3(2), 6.2.4(2).
     pub fn axial(&self) -> Worked {
-        let value = self.section.area * self.fy / self.gamma_m0;
+        let value = plastic(self.section.area, self.fy, self.gamma_m0);
         let formula = format!(
             "N_pl,Rd = A f_y/γ_M0 = {} · {}/{}",
             n(self.section.area),
-            n(self.fy),
+            n(self.fy.mpa()),
             n(self.gamma_m0)
         );
         Worked::new(
@@ -173,7 +167,7 @@ impl CrossSection {
     /// # Source
     /// EN 1993-1-1:2005 6.2.6(6).
     pub fn web_slenderness(&self) -> (f64, f64) {
-        (self.section.web_depth() / self.section.tw, 72.0 * epsilon(self.fy))
+        (self.section.web_depth() / self.section.tw, 72.0 * epsilon(self.fy.mpa()))
     }
 
     /// Shear buckling resistance of the web without the contribution of the flanges \[N\]:
@@ -184,14 +178,14 @@ impl CrossSection {
     /// alone, η = 1.
     pub fn shear_buckling(&self, gamma_m1: f64) -> Worked {
         let (depth, web) = (self.section.web_depth(), self.section.tw);
-        let (lambda, chi) = shear_buckling(depth, web, self.fy);
-        let value = chi * depth * web * self.fy / (3f64.sqrt() * gamma_m1);
+        let (lambda, chi) = shear_buckling(depth, web, self.fy.mpa());
+        let value = in_shear(chi * depth * web * self.fy.mpa(), gamma_m1);
         let formula = format!(
             "V_bw,Rd = χ_w h_w t_w f_y/(√3 γ_M1) = {} · {} · {} · {}/(√3 · {})",
             n(chi),
             n(depth),
             n(web),
-            n(self.fy),
+            n(self.fy.mpa()),
             n(gamma_m1)
         );
         let title = "shear buckling of the beam web, h_w/t_w > 72 ε";
@@ -215,13 +209,16 @@ impl CrossSection {
     /// # Source
     /// EN 1993-1-1:2005 6.2.5, 6.2.8(3) and (5), 6.2.9.1(4) and (5), 6.2.9.2, 6.2.10(3).
     pub fn bending_6_2_10(&self, shear: f64, axial: f64) -> Result<Worked, CheckError> {
-        let (s, fyd) = (&self.section, self.fy / self.gamma_m0);
+        let (s, fyd) = (&self.section, yield_strength(self.fy, self.gamma_m0).mpa());
         let (v, normal) = (shear.abs() / self.shear().value, axial.abs());
         let rho = shear_reduction(v);
         // the outstand counts from the radius of the area, not from that of k_des
         let slenderness = Slenderness::new(s, s.r);
-        let (clause, value, formula, part) = match slenderness.class(s, self.fy, (-axial).max(0.0))
-        {
+        let (clause, value, formula, part) = match slenderness.class(
+            s,
+            self.fy.mpa(),
+            (-axial).max(0.0),
+        ) {
             Class::Plastic => {
                 let web = s.web_depth() * s.tw;
                 let area = s.area - rho * s.shear_area();
@@ -244,7 +241,7 @@ impl CrossSection {
                     n(rho),
                     n(web),
                     n(s.tw),
-                    n(self.fy),
+                    n(self.fy.mpa()),
                     n(self.gamma_m0),
                     n(part)
                 );
@@ -256,7 +253,7 @@ impl CrossSection {
                     "W_el ((1 − ρ) f_y/γ_M0 − N/A) = {} · ({} · {}/{} − {}/{})",
                     n(s.w_el),
                     n(1.0 - rho),
-                    n(self.fy),
+                    n(self.fy.mpa()),
                     n(self.gamma_m0),
                     Unit::Force.show(normal),
                     n(s.area)

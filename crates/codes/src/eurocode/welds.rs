@@ -1,7 +1,9 @@
 //! Fillet welds: EN 1993-1-8:2005 4.5.
 
+use super::yielding::plastic;
 use crate::check::{Check, Status, Topic, Unit, number as n, within};
 use crate::worked::Worked;
+use bracket_joint::strength::{Design, Nominal, WeldSteel};
 
 /// Least throat of a fillet weld \[mm\], EN 1993-1-8:2005 4.5.2(2).
 pub const LEAST_THROAT: f64 = 3.0;
@@ -9,8 +11,8 @@ pub const LEAST_THROAT: f64 = 3.0;
 /// Strength of the weaker part joined, and its correlation factor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WeldedSteel {
-    /// Nominal ultimate strength of the weaker part \[MPa\].
-    pub fu: f64,
+    /// Ultimate strength of the weaker part.
+    pub fu: Nominal,
     /// β_w, Table 4.1.
     pub beta_w: f64,
     /// γ_M2.
@@ -37,8 +39,8 @@ pub struct ThroatStress {
 pub fn directional(stress: &ThroatStress, steel: &WeldedSteel) -> Worked {
     let s = stress;
     let equivalent = (s.sigma_perp.powi(2) + 3.0 * (s.tau_perp.powi(2) + s.tau_par.powi(2))).sqrt();
-    let allowed = steel.fu / (steel.beta_w * steel.gamma_m2);
-    let normal = 0.9 * steel.fu / steel.gamma_m2;
+    let allowed = steel.fu.mpa() / (steel.beta_w * steel.gamma_m2);
+    let normal = 0.9 * steel.fu.mpa() / steel.gamma_m2;
     let value = (equivalent / allowed).max(s.sigma_perp.abs() / normal);
     let formula = format!(
         "max(√(σ⊥² + 3 (τ⊥² + τ∥²)) β_w γ_M2/f_u, σ⊥ γ_M2/(0.9 f_u)) = max({}/{}, {}/{})",
@@ -65,6 +67,24 @@ pub fn across_and_along(force: f64, length: f64, throat: f64, tau_par: f64) -> T
     ThroatStress { sigma_perp: across, tau_perp: across, tau_par }
 }
 
+/// Design resistance of a fillet weld per length by the simplified method, `a f_vw,d` \[N/mm\];
+/// `throat` a \[mm\].
+///
+/// # Source
+/// EN 1993-1-8:2005 4.5.3.3(2) and (3), formulas 4.3 and 4.4.
+fn shear(throat: f64, steel: &WeldedSteel) -> f64 {
+    throat * steel.fu.mpa() / (3f64.sqrt() * steel.beta_w * steel.gamma_m2)
+}
+
+/// Design shear strength of a fillet weld on its throat, `f_vw,d = f_u/(√3 β_w γ_M2)`.
+///
+/// # Source
+/// EN 1993-1-8:2005 4.5.3.3(3), formula 4.4.
+pub fn shear_strength(steel: &WeldSteel, gamma_m2: f64) -> Design {
+    let WeldSteel { fu, beta_w } = *steel;
+    Design::new(shear(1.0, &WeldedSteel { fu, beta_w, gamma_m2 }))
+}
+
 /// Design resistance of a fillet weld per length by the simplified method \[N/mm\]; `throat` a
 /// \[mm\].
 ///
@@ -73,11 +93,11 @@ pub fn across_and_along(force: f64, length: f64, throat: f64, tau_par: f64) -> T
 /// # Source
 /// EN 1993-1-8:2005 4.5.3.3(2) and (3), formulas 4.3 and 4.4.
 pub fn simplified(throat: f64, steel: &WeldedSteel) -> Worked {
-    let value = throat * steel.fu / (3f64.sqrt() * steel.beta_w * steel.gamma_m2);
+    let value = shear(throat, steel);
     let formula = format!(
         "F_w,Rd = a f_u/(√3 β_w γ_M2) = {} · {}/(√3 · {} · {})",
         n(throat),
-        n(steel.fu),
+        n(steel.fu.mpa()),
         n(steel.beta_w),
         n(steel.gamma_m2)
     );
@@ -93,11 +113,11 @@ pub fn simplified(throat: f64, steel: &WeldedSteel) -> Worked {
 /// # Source
 /// EN 1993-1-8:2005 4.5.3.2(6); σ⊥ ≤ 0.9 f_u/γ_M2 never decides, because β_w ≥ 0.56.
 pub fn transverse(throat: f64, steel: &WeldedSteel) -> Worked {
-    let value = throat * steel.fu / (2f64.sqrt() * steel.beta_w * steel.gamma_m2);
+    let value = throat * steel.fu.mpa() / (2f64.sqrt() * steel.beta_w * steel.gamma_m2);
     let formula = format!(
         "F_w,Rd = a f_u/(√2 β_w γ_M2) = {} · {}/(√2 · {} · {})",
         n(throat),
-        n(steel.fu),
+        n(steel.fu.mpa()),
         n(steel.beta_w),
         n(steel.gamma_m2)
     );
@@ -149,7 +169,7 @@ pub fn either_method(force: LineForce, throat: f64, steel: &WeldedSteel) -> Work
              {}² + 3 · {}²))",
             n(resultant),
             n(throat),
-            n(steel.fu),
+            n(steel.fu.mpa()),
             n(steel.beta_w),
             n(steel.gamma_m2),
             n(force.across),
@@ -176,17 +196,22 @@ pub fn either_method(force: LineForce, throat: f64, steel: &WeldedSteel) -> Work
 ///
 /// # Source
 /// EN 1993-1-8:2005 4.5.3.2(6) with the stresses of a double fillet under transverse tension.
-pub fn full_strength_throat(thickness: f64, fy: f64, gamma_m0: f64, steel: &WeldedSteel) -> Worked {
-    let value =
-        thickness * fy / gamma_m0 * steel.beta_w * steel.gamma_m2 / (2f64.sqrt() * steel.fu);
+pub fn full_strength_throat(
+    thickness: f64,
+    fy: Nominal,
+    gamma_m0: f64,
+    steel: &WeldedSteel,
+) -> Worked {
+    let value = plastic(thickness, fy, gamma_m0) * steel.beta_w * steel.gamma_m2
+        / (2f64.sqrt() * steel.fu.mpa());
     let formula = format!(
         "a = t (f_y/γ_M0) β_w γ_M2/(√2 f_u) = {} · {}/{} · {} · {}/(√2 · {})",
         n(thickness),
-        n(fy),
+        n(fy.mpa()),
         n(gamma_m0),
         n(steel.beta_w),
         n(steel.gamma_m2),
-        n(steel.fu)
+        n(steel.fu.mpa())
     );
     Worked::new(
         "EN 1993-1-8:2005 4.5.3.2(6)",

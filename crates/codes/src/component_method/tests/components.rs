@@ -8,7 +8,9 @@ use crate::component_method::stiffness::{self, Joins};
 use crate::component_method::t_stub::{Mode, Prying, Resistance, TStub, prying};
 use crate::component_method::{assess, beam as beam_method, effective_lengths as lengths};
 use crate::eurocode::i_section::Section;
-use crate::eurocode::section::{Class, plastic_shear};
+use crate::eurocode::section::Class;
+use crate::eurocode::yielding::plastic_shear;
+use bracket_joint::strength::Nominal;
 use std::f64::consts::PI;
 
 const STUB: TStub = TStub {
@@ -332,7 +334,7 @@ fn clauses_6_2_6_7_and_6_2_6_8_the_beam() {
 #[test]
 fn en_1993_1_1_6_2_8_shear_takes_from_the_moment_of_the_beam() {
     let ipe = beam("IPE270", 275.0, 6.0, 4.0).section;
-    let plastic = plastic_shear(ipe.shear_area(), 275.0, 1.0);
+    let plastic = plastic_shear(ipe.shear_area(), Nominal::new(275.0), 1.0);
     assert!((plastic / 351_570.0 - 1.0).abs() < 1e-3, "{plastic}");
     let at = |part: f64| beam_method::bending_6_2_8(&ipe, 275.0, part * plastic, 1.0).value;
     near(at(0.5), ipe.w_pl * 275.0);
