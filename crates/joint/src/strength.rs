@@ -5,7 +5,7 @@
 //! A design strength is no nominal strength:
 //!
 //! ```compile_fail,E0308
-//! use bracket_joint::strength::{Design, Nominal, NominalStrength};
+//! use bracket_joint::strength::{Design, NominalStrength};
 //!
 //! let divided = Design::new(235.0 / 1.1);
 //! let _ = NominalStrength::Steel(divided);

@@ -214,11 +214,8 @@ impl CrossSection {
         let rho = shear_reduction(v);
         // the outstand counts from the radius of the area, not from that of k_des
         let slenderness = Slenderness::new(s, s.r);
-        let (clause, value, formula, part) = match slenderness.class(
-            s,
-            self.fy.mpa(),
-            (-axial).max(0.0),
-        ) {
+        let class = slenderness.class(s, self.fy.mpa(), (-axial).max(0.0));
+        let (clause, value, formula, part) = match class {
             Class::Plastic => {
                 let web = s.web_depth() * s.tw;
                 let area = s.area - rho * s.shear_area();
