@@ -11,8 +11,8 @@ use bracket_joint::strength::{
 
 /// A design code with its partial factors: the primitives that the analyses and the checks share.
 ///
-/// It is a closed enum and no trait: a code is chosen by the spec when the program runs, all of them
-/// are known here, and a `match` without a default names every place that a new code must fill. The
+/// It is a closed enum and no trait: the spec names its code when the program runs, all codes are
+/// known here, and a `match` without a default shows every place that a new code must fill. The
 /// clauses themselves are functions in a room of their code ([`crate::eurocode`]), which the checks
 /// call as well, so that each formula stands once.
 #[derive(Clone, Copy, Debug, PartialEq)]
