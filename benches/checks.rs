@@ -3,8 +3,9 @@
 //!
 //! `cargo bench --bench checks`
 
-use bracket::assembly;
+use bracket::assembly::EndPlate;
 use bracket::catalog::Catalog;
+use bracket::checks::design_code;
 use bracket::checks::end_plate::moment_axial;
 use bracket::checks::{Analysed, hand_checks, judge};
 use bracket::spec::connection::ConnectionSpec;
@@ -48,12 +49,12 @@ fn main() {
         let build = |text: &str| {
             let spec =
                 yaml::parse::<ConnectionSpec>(text, Path::new("joint.yaml")).expect("a spec");
-            assembly::build(&spec, Path::new(""), &catalog)
+            design_code::build(&spec, Path::new(""), &catalog)
                 .expect("a joint")
                 .end_plate
                 .expect("with hand checks")
         };
-        let judged = |e: &assembly::EndPlate| {
+        let judged = |e: &EndPlate| {
             let mut checks = hand_checks(black_box(e));
             let case = e.actions.first().map_or_else(String::new, |a| a.case.clone());
             black_box(judge(&mut checks, &[Analysed::not(case)]));
@@ -61,7 +62,7 @@ fn main() {
         let plain = build(&text);
         let mut pulled = plain.clone();
         for a in &mut pulled.actions {
-            a.live[0][0] = 0.1 * 1e2 * pulled.beam.area * pulled.beam_steel.fy;
+            a.live[0][0] = 0.1 * 1e2 * pulled.beam.area * pulled.beam_steel.fy.mpa();
         }
         println!(
             "| {name} | {:.0} | {:.0} | {:.0} | {:.1} |",

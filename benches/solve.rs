@@ -5,6 +5,7 @@
 //! whole solve, and the time of one factorisation and two solves of the same matrix in the same
 //! run. It also prints the ratio Y = solve ÷ (iterations × (one factorisation + two solves)).
 
+use bracket::checks::design_code::design_strengths;
 use bracket::elements::hencky_kinematic::Flow;
 use bracket::mesh::gmsh::Mesher;
 use bracket::meshing::joint::{MeshOptions, mesh_joint};
@@ -90,6 +91,7 @@ fn model_of_spec(path: &Path, factor: f64) -> AnalysisModel {
     let kind = AnalysisKind::Elastic;
     let file = model_file::model_file(
         assembly,
+        &design_strengths(&input.joint),
         &meshed.mesh,
         &meshed.symmetry_used,
         "mesh.msh",

@@ -23,6 +23,6 @@ pub use bracket_codes as checks;
 pub use bracket_engine::{
     analysis, certify, elements, mesh, model, programs, recover, refine, solve,
 };
-pub use bracket_joint::{assembly, catalog, geometry, meshing, model_file, spec};
+pub use bracket_joint::{assembly, catalog, geometry, meshing, model_file, spec, strength};
 pub use bracket_report as report;
 pub use bracket_report::result;

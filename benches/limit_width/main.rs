@@ -35,6 +35,7 @@ use bracket::assembly::assembly::{
 };
 use bracket::certify::limit_certificate::dissipation_densities;
 use bracket::certify::velocity_field::pieces;
+use bracket::checks::design_code::design_strengths;
 use bracket::elements::geometry::centroid;
 use bracket::elements::space::Tet10Space;
 use bracket::elements::tet10;
@@ -49,6 +50,7 @@ use bracket::model::resolve::resolve;
 use bracket::model_file;
 use bracket::programs::Static;
 use bracket::solve::{SolveOptions, StopRules};
+use bracket::strength::{Nominal, NominalStrength};
 use common::grid::{Grid, even, joined, name};
 use common::solved;
 use std::collections::BTreeMap;
@@ -329,6 +331,7 @@ fn joint(path: &Path, o: &Options) -> AnalysisModel {
     let case = &model_file::cases(assembly)[0];
     let file = model_file::model_file(
         assembly,
+        &design_strengths(&input.joint),
         &meshed.mesh,
         &meshed.symmetry_used,
         "mesh.msh",
@@ -390,7 +393,11 @@ fn cantilever(o: &Options) -> AnalysisModel {
         parts: vec![part],
         materials: BTreeMap::from([(
             "s".into(),
-            PartMaterial { e: 210_000.0, nu: 0.3, fy: Some(235.0) },
+            PartMaterial {
+                e: 210_000.0,
+                nu: 0.3,
+                strength: NominalStrength::Steel(Nominal::new(235.0)),
+            },
         )]),
         interfaces: vec![],
         faces: vec![face("CLAMP", 0.0), face("END", SPAN)],

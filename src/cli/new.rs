@@ -220,7 +220,7 @@ pub fn starter(
     let wrong = |faults: AtLeastOne<bracket_joint::assembly::AssemblyError>| {
         faults.map(|f| origin.placed(template, f))
     };
-    let inputs = Inputs::read(&spec, template, catalog).map_err(wrong)?;
+    let inputs = Inputs::read(&spec, template, catalog, Vec::new()).map_err(wrong)?;
     let resolved = inputs.scope().resolve(template, &inputs.given).map_err(wrong)?;
     let mut out = String::new();
     let about = |text: &str| text.replace('\n', " ");

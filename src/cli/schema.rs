@@ -370,7 +370,7 @@ loads: [{name: 1, end: beam_right, at: bolt_plane, My: 20 kN m}]
         let both = |spec: &str| {
             let value = yaml::parse::<Value>(spec, Path::new("t.yaml")).expect("YAML").value;
             let reads = yaml::parse::<ConnectionSpec>(spec, Path::new("t.yaml"))
-                .and_then(|p| bracket_joint::assembly::build(&p, Path::new("."), &catalog));
+                .and_then(|p| bracket_codes::design_code::build(&p, Path::new("."), &catalog));
             (refused(&value, &schema, &schema, ""), reads.map(drop))
         };
         for (old, new) in [

@@ -5,6 +5,7 @@ use crate::driver::interrupt::Interrupt;
 use crate::driver::meshing::{clean, quality_table};
 use bracket_base::diag::{Diagnostic, Diagnostics, Place};
 use bracket_base::math::mandel::Mandel;
+use bracket_codes::design_code::design_strengths;
 use bracket_engine::mesh::gmsh::Until;
 use bracket_engine::mesh::mmg::Remesher;
 use bracket_engine::mesh::size_field::{Edges, FILLING, SizeField};
@@ -14,7 +15,7 @@ use bracket_engine::model::AnalysisModel;
 use bracket_engine::model::file::{ModelFile, Nodes};
 use bracket_engine::model::resolve::resolve;
 use bracket_engine::refine::optimum::Design;
-use bracket_joint::assembly::Assembly;
+use bracket_joint::assembly::Joint;
 use bracket_joint::meshing::joint::{MeshOptions, mesh_joint};
 use bracket_joint::model_file;
 use bracket_report::console::log::Log;
@@ -78,7 +79,7 @@ pub type Places<'a> = &'a dyn Fn(&str) -> Place;
 /// Meshes a spec's geometry again with a map of sizes.
 #[derive(Clone)]
 pub struct ByMap<'a> {
-    assembly: &'a Assembly,
+    joint: &'a Joint,
     options: MeshOptions,
     case: String,
     kind: AnalysisKind,
@@ -94,7 +95,7 @@ pub struct ByMap<'a> {
 impl<'a> ByMap<'a> {
     /// Starts from the first mesh, which was made with these options.
     pub fn new(
-        assembly: &'a Assembly,
+        joint: &'a Joint,
         options: MeshOptions,
         (case, kind): (String, AnalysisKind),
         place: Places<'a>,
@@ -102,7 +103,7 @@ impl<'a> ByMap<'a> {
     ) -> Self {
         let edges = Edges::new(&mesh);
         Self {
-            assembly,
+            joint,
             options,
             case,
             kind,
@@ -140,35 +141,36 @@ impl<'a> Remesh<'a> for ByMap<'a> {
             let mut options = self.options.clone();
             options.size_view = Some(field.view(&self.mesh, scale));
             options.time_limit = Duration::from_secs_f64(left);
-            let joint = mesh_joint(self.assembly, &options, &mut |stage| log.stage(stage));
+            let meshed = mesh_joint(&self.joint.assembly, &options, &mut |stage| log.stage(stage));
             clean(&options)?;
-            let joint = joint?;
-            let ratio = joint.mesh.tets.len() as f64 / design.tets;
-            made = Some(joint);
+            let meshed = meshed?;
+            let ratio = meshed.mesh.tets.len() as f64 / design.tets;
+            made = Some(meshed);
             if ratio.ln().abs() < NEAR {
                 break;
             }
             scale *= ratio.powf(1.0 / COUNT_EXPONENT);
         }
         // the loop runs at least once
-        let joint =
+        let meshed =
             made.ok_or_else(|| Diagnostic::undecided("cli/lost", "no finer mesh was made"))?;
         self.filling = scale.powi(3).clamp(0.3, 1.2);
         let mut file = model_file::model_file(
-            self.assembly,
-            &joint.mesh,
-            &joint.symmetry_used,
+            &self.joint.assembly,
+            &design_strengths(self.joint),
+            &meshed.mesh,
+            &meshed.symmetry_used,
             "mesh.msh",
             &self.case,
             self.kind,
         );
-        file.symmetry = joint.copies;
+        file.symmetry = meshed.copies;
         file.coulomb_estimate = self.coulomb_estimate;
-        let model = resolve(&file, joint.mesh.clone(), self.place)?;
-        self.edges = Edges::new(&joint.mesh);
-        self.mesh = joint.mesh.clone();
-        let quality = quality_table(&joint.quality);
-        Ok(Made { model, mesh: joint.mesh, file, quality, seconds: start.elapsed().as_secs_f64() })
+        let model = resolve(&file, meshed.mesh.clone(), self.place)?;
+        self.edges = Edges::new(&meshed.mesh);
+        self.mesh = meshed.mesh.clone();
+        let quality = quality_table(&meshed.quality);
+        Ok(Made { model, mesh: meshed.mesh, file, quality, seconds: start.elapsed().as_secs_f64() })
     }
 }
 

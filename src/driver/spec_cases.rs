@@ -5,6 +5,7 @@ use crate::driver::interrupt::Interrupt;
 use crate::driver::remesh::{ByMap, Places};
 use crate::driver::spec_file::SpecFile;
 use bracket_base::diag::Diagnostics;
+use bracket_codes::design_code::design_strengths;
 use bracket_engine::mesh::TetMesh;
 use bracket_engine::model::AnalysisKind;
 use bracket_engine::model::file::ModelFile;
@@ -67,6 +68,7 @@ impl AskedCase {
     ) -> ModelFile {
         let file = model_file::model_file(
             &input.joint.assembly,
+            &design_strengths(&input.joint),
             mesh,
             symmetry_used,
             "mesh.msh",
@@ -123,10 +125,9 @@ pub fn give_remesh<'a>(
     meshed: &JointMesh,
     place: Places<'a>,
 ) {
-    let assembly = &input.joint.assembly;
     for case in cases.iter_mut().filter(|c| c.direction.is_none()) {
         let kind = (case.name.clone(), case.model.analysis);
-        let by_map = ByMap::new(assembly, options.clone(), kind, place, meshed.mesh.clone());
+        let by_map = ByMap::new(&input.joint, options.clone(), kind, place, meshed.mesh.clone());
         case.remesh = Some(Box::new(by_map.estimating(case.model.coulomb_estimate)));
     }
 }

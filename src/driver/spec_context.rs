@@ -6,12 +6,14 @@ use crate::driver::spec_file::SpecFile;
 use bracket_base::diag::Diagnostics;
 use bracket_base::yaml;
 use bracket_codes::check::number;
+use bracket_codes::design_code::design_strengths;
 use bracket_codes::end_plate::{moment_axial, parts_list, stocked_length, welds_list};
 use bracket_codes::{HandChecks, joint_checks};
-use bracket_joint::assembly::assembly::{FaceSupport, PartMaterial, Surface};
+use bracket_joint::assembly::assembly::{FaceSupport, Surface};
 use bracket_joint::assembly::{Assembly, EndPlate};
 use bracket_joint::spec::connection::{ConnectionSpec, Language};
 use bracket_joint::spec::loads::ActionPoint;
+use bracket_joint::strength::Design;
 use bracket_report::draw::contact_map::AXES;
 use bracket_report::draw::{drawing, dxf, moment_axial, moment_rotation, parts_drawing};
 use bracket_report::markdown::demand::on_planes;
@@ -162,15 +164,15 @@ fn supports(assembly: &Assembly) -> Table {
 
 /// The values of the joint with their origin.
 fn resolved_values(input: &SpecFile) -> Vec<ResolvedValue> {
-    let strength = |(name, m): (&String, &PartMaterial)| {
+    let strength = |(name, fy): (String, Option<Design>)| {
         Some(ResolvedValue {
             name: format!("materials.{name}.fy"),
-            value: number(m.fy?),
+            value: number(fy?.mpa()),
             unit: "MPa".into(),
             origin: "yield strength in the analyses".into(),
         })
     };
-    let strengths = input.joint.assembly.materials.iter().filter_map(strength);
+    let strengths = design_strengths(&input.joint).materials.into_iter().filter_map(strength);
     input
         .joint
         .resolved

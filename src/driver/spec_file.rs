@@ -3,8 +3,9 @@
 use bracket_base::diag::{Diagnostic, Diagnostics};
 use bracket_base::text_file;
 use bracket_base::yaml::{self, Parsed};
+use bracket_codes::design_code;
 use bracket_joint::assembly::template_file::{Templates, stored_name};
-use bracket_joint::assembly::{self, Joint, LoadedTemplate};
+use bracket_joint::assembly::{Joint, LoadedTemplate};
 use bracket_joint::catalog::{Catalog, CatalogError};
 use bracket_joint::spec::connection::ConnectionSpec;
 use bracket_joint::spec::polygon::PolygonFault;
@@ -108,7 +109,7 @@ fn with_templates(
     let base = path.parent().unwrap_or(Path::new(""));
     let catalog = open_catalog(&spec, base, catalog_dir)?;
     let template = LoadedTemplate::read(&spec, templates)?;
-    let joint = assembly::build_from(&spec, &template, &catalog)?;
+    let joint = design_code::build_from(&spec, &template, &catalog)?;
     let templates = template.own_texts().to_vec();
     Ok(SpecFile { text: text.into(), spec, joint, catalog, templates })
 }

@@ -41,7 +41,7 @@ const HOUSES: [House; 6] = [
     House {
         folder: "crates/joint/",
         package: "bracket-joint",
-        rooms: &["spec", "catalog", "assembly", "geometry", "meshing", "model_file"],
+        rooms: &["spec", "catalog", "strength", "assembly", "geometry", "meshing", "model_file"],
     },
     House {
         folder: "crates/codes/",
@@ -52,6 +52,7 @@ const HOUSES: [House; 6] = [
             "verdict",
             "error",
             "eurocode",
+            "design_code",
             "classification",
             "ductility",
             "component_method",

@@ -4,9 +4,9 @@
 use bracket::analysis::event::silent;
 use bracket::analysis::pass::PassOptions;
 use bracket::analysis::{elastic, limit};
-use bracket::assembly;
 use bracket::assembly::Joint;
 use bracket::catalog::Catalog;
+use bracket::checks::design_code::{build, design_strengths};
 use bracket::diag::Place;
 use bracket::mesh::TetMesh;
 use bracket::meshing::joint::{MeshOptions, mesh_joint};
@@ -21,7 +21,7 @@ use std::path::Path;
 /// The joint that a spec describes.
 pub fn joint(spec: &str) -> Joint {
     let parsed = yaml::parse::<ConnectionSpec>(spec, Path::new("joint.yaml")).unwrap();
-    assembly::build(&parsed, Path::new("."), &Catalog::builtin().unwrap())
+    build(&parsed, Path::new("."), &Catalog::builtin().unwrap())
         .unwrap_or_else(|e| panic!("{e:#?}"))
 }
 
@@ -35,7 +35,9 @@ pub fn model(joint: &Joint, factor: f64, full: bool, kind: AnalysisKind) -> (Mod
     options.layers = factor <= 2.0;
     let m = mesh_joint(&joint.assembly, &options, &mut |_| {}).unwrap_or_else(|e| panic!("{e:#?}"));
     let case = &cases(&joint.assembly)[0];
-    (model_file(&joint.assembly, &m.mesh, &m.symmetry_used, "mesh.msh", case, kind), m.mesh)
+    let (assembly, strengths) = (&joint.assembly, design_strengths(joint));
+    let file = model_file(assembly, &strengths, &m.mesh, &m.symmetry_used, "mesh.msh", case, kind);
+    (file, m.mesh)
 }
 
 /// Both strict bounds of the whole structure: energies \[N mm\] or load factors.

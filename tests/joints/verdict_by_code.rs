@@ -3,8 +3,9 @@
 mod never_worse;
 
 use crate::numbers::Numbers;
-use bracket::assembly;
+use bracket::assembly::Joint;
 use bracket::catalog::{Catalog, IProfile};
+use bracket::checks::design_code::build;
 use bracket::checks::verdict::{Route, Verdict};
 use bracket::checks::{Analysed, Check, HandChecks, Judgement, Status, Topic, hand_checks, judge};
 use bracket::spec::connection::ConnectionSpec;
@@ -16,7 +17,7 @@ fn checks(text: &str, catalog: &Catalog) -> Option<HandChecks> {
     let path = Path::new("joint.yaml");
     let spec =
         yaml::parse::<ConnectionSpec>(text, path).unwrap_or_else(|e| panic!("{e:?}: {text}"));
-    assembly::build(&spec, Path::new(""), catalog).ok()?.end_plate.as_ref().map(hand_checks)
+    build(&spec, Path::new(""), catalog).ok()?.end_plate.as_ref().map(hand_checks)
 }
 
 /// The verdict on the case `A`, given the verdict of its analysis.
@@ -412,11 +413,11 @@ fn four_bolts_in_a_row_are_listed_and_the_inner_two_are_checked() {
              My: 60 kN m}}]\n"
         );
         let parsed = yaml::parse::<ConnectionSpec>(&text, Path::new("joint.yaml")).expect("a spec");
-        assembly::build(&parsed, Path::new(""), &builtin())
+        build(&parsed, Path::new(""), &builtin())
     };
     let (four, two) =
         (spec("outer_gauge: 220", 110.0).expect("a joint"), spec("", 110.0).expect("a joint"));
-    let bolts = |j: &assembly::Joint| {
+    let bolts = |j: &Joint| {
         j.assembly
             .parts
             .iter()

@@ -6,6 +6,7 @@ use bracket::analysis::event::silent;
 use bracket::analysis::limit;
 use bracket::analysis::pass::PassOptions;
 use bracket::certify::welds::demands;
+use bracket::checks::design_code::design_strengths;
 use bracket::diag::Place;
 use bracket::model::AnalysisKind;
 use bracket::model::file::{Law, ModelFile};
@@ -74,7 +75,7 @@ fn welds_without_a_throat_and_welds_of_elastic_analysis_are_tied() {
     let thickness = |name: &str| {
         let joint = joint(&splice(4.0, 3.0, "S355"));
         let w = joint.assembly.welds.iter().find(|w| w.name == name).unwrap().clone();
-        (w.throat, w.thickness, w.strength)
+        (w.throat, w.thickness, design_strengths(&joint).welds[name].mpa())
     };
     // S355: f_u = 490 (Table 3.1), β_w = 0.9
     let (throat, t, strength) = thickness("WELD_BOTTOM_L");

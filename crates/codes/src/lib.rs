@@ -8,6 +8,7 @@
 pub mod check;
 pub mod classification;
 pub mod component_method;
+pub mod design_code;
 pub mod ductility;
 pub mod end_plate;
 pub mod error;

@@ -9,3 +9,4 @@ pub mod geometry;
 pub mod meshing;
 pub mod model_file;
 pub mod spec;
+pub mod strength;

@@ -4,6 +4,7 @@
 use crate::assembly::Assembly;
 use crate::assembly::assembly::{Action, BoltPreload, FaceLoad, Surface, SymmetryPlane, WeldRule};
 use crate::meshing::naming::symmetry_face;
+use crate::strength::{Design, DesignStrengths};
 use bracket_engine::mesh::TetMesh;
 use bracket_engine::model::AnalysisKind;
 use bracket_engine::model::file::{
@@ -32,9 +33,11 @@ pub fn cases(assembly: &Assembly) -> Vec<String> {
 /// `mesh_name` is the path of the mesh file relative to the model file. Forces and moments become
 /// actions on rigid faces, free in all motions that the symmetry planes through them permit. A
 /// preloaded bolt that a symmetry plane halves has half its preload. There is no entry for
-/// adaptation.
+/// adaptation. A material or weld without an entry in `strengths` gets none in the model, which the
+/// engine then refuses.
 pub fn model_file(
     assembly: &Assembly,
+    strengths: &DesignStrengths,
     mesh: &TetMesh,
     symmetry_used: &[SymmetryPlane],
     mesh_name: &str,
@@ -48,7 +51,10 @@ pub fn model_file(
         .materials
         .iter()
         .filter(|(name, _)| kept.iter().any(|p| p.material == **name))
-        .map(|(name, m)| (name.clone(), MaterialEntry { e: m.e, nu: m.nu, fy: m.fy }))
+        .filter_map(|(name, m)| {
+            let fy = strengths.materials.get(name)?.map(Design::mpa);
+            Some((name.clone(), MaterialEntry { e: m.e, nu: m.nu, fy }))
+        })
         .collect();
     let contacts =
         assembly.interfaces.iter().filter(|rule| rule.between.iter().all(has_body)).map(|rule| {
@@ -65,7 +71,7 @@ pub fn model_file(
                 strength_traction: None,
             }
         });
-    let interfaces = contacts.chain(weld_entries(assembly, mesh, analysis)).collect();
+    let interfaces = contacts.chain(weld_entries(assembly, strengths, mesh, analysis)).collect();
     let support = |face: &str, fix: [bool; 3]| SupportEntry {
         face: face.to_string(),
         fix: (0..3).filter(|&k| fix[k]).map(|k| AXES[k]).collect(),
@@ -122,13 +128,14 @@ pub fn model_file(
 /// then they are tied.
 fn weld_entries(
     assembly: &Assembly,
+    strengths: &DesignStrengths,
     mesh: &TetMesh,
     analysis: AnalysisKind,
 ) -> impl Iterator<Item = InterfaceEntry> {
     let here = move |w: &&WeldRule| {
         analysis != AnalysisKind::Elastic && mesh.faces_named(&w.name).is_some()
     };
-    assembly.welds.iter().filter(here).map(|w| InterfaceEntry {
+    assembly.welds.iter().filter(here).map(move |w| InterfaceEntry {
         between: Some(w.between.clone()),
         face: Some(w.name.clone()),
         law: Law::Weld,
@@ -137,7 +144,7 @@ fn weld_entries(
         friction: None,
         throat: Some(w.throat),
         thickness: Some(w.thickness),
-        strength: Some(w.strength),
+        strength: strengths.welds.get(&w.name).map(|s| s.mpa()),
         strength_traction: None,
     })
 }
@@ -219,6 +226,7 @@ fn rigid_entries(
 mod tests {
     use super::*;
     use crate::geometry::fixtures::{lap_joint, paper_joint};
+    use crate::strength::{Nominal, WeldSteel};
     use bracket_engine::mesh::NamedFaces;
 
     /// A mesh with names only; `model_file` uses nothing else of it.
@@ -233,6 +241,48 @@ mod tests {
         }
     }
 
+    /// The model of a joint whose materials do not yield.
+    fn unlimited(
+        joint: &Assembly,
+        mesh: &TetMesh,
+        planes: &[SymmetryPlane],
+        case: &str,
+        kind: AnalysisKind,
+    ) -> ModelFile {
+        let materials = joint.materials.keys().map(|name| (name.clone(), None)).collect();
+        let strengths = DesignStrengths { materials, ..DesignStrengths::default() };
+        model_file(joint, &strengths, mesh, planes, "mesh.msh", case, kind)
+    }
+
+    /// Design strengths go into the model as they are, nominal ones never do: what has no design
+    /// strength is not in the model, and the engine refuses the body.
+    #[test]
+    fn strengths_of_the_model_are_design_strengths() {
+        let mut joint = lap_joint();
+        joint.welds.push(WeldRule {
+            name: "WELD".into(),
+            between: ["UPPER".into(), "LOWER".into()],
+            surface: Surface::Plane { axis: 2, at: 0.0, min: [0.0; 3], max: [10.0, 10.0, 0.0] },
+            imprint: false,
+            throat: 4.0,
+            thickness: 8.0,
+            steel: WeldSteel { fu: Nominal::new(360.0), beta_w: 0.8 },
+        });
+        let mesh = names(&["UPPER", "LOWER", "BOLT"], &["BASE", "PULL", "WELD"]);
+        let of = |strengths: &DesignStrengths| {
+            let kind = AnalysisKind::Limit;
+            let file = model_file(&joint, strengths, &mesh, &[], "mesh.msh", "PULL", kind);
+            let weld = file.interfaces.iter().find(|i| i.law == Law::Weld).expect("a weld");
+            (file.materials.get("steel").map(|m| m.fy), weld.strength)
+        };
+        let known = DesignStrengths {
+            materials: [("steel".to_string(), Some(Design::new(213.6)))].into(),
+            welds: [("WELD".to_string(), Design::new(207.8))].into(),
+        };
+        assert_eq!(of(&known), (Some(Some(213.6)), Some(207.8)));
+        assert_eq!(of(&DesignStrengths::default()), (None, None));
+    }
+
     #[test]
     fn quarter_of_the_paper_s_joint() {
         let joint = paper_joint();
@@ -240,8 +290,7 @@ mod tests {
         let faces =
             ["SHANK_RP1", "SHANK_RP2", "SHANK_RP3", "SUPPORT_R", "LOAD_TOP", "SYM_X0", "SYM_Y0"];
         let mesh = names(&bodies, &faces);
-        let model =
-            model_file(&joint, &mesh, &joint.symmetry, "mesh.msh", "TOP", AnalysisKind::Elastic);
+        let model = unlimited(&joint, &mesh, &joint.symmetry, "TOP", AnalysisKind::Elastic);
         assert_eq!(model.symmetry, 4);
         assert_eq!(model.bodies.len(), 6);
         // plate on column, and for each bolt: column, and plate at the shank only
@@ -271,9 +320,9 @@ mod tests {
         joint.loads.push(extra("PULL", true));
         assert_eq!(cases(&joint), ["PULL", "LIFT"]);
         let mesh = names(&["UPPER", "LOWER", "BOLT"], &["BASE", "PULL"]);
-        let model = model_file(&joint, &mesh, &[], "mesh.msh", "PULL", AnalysisKind::Limit);
+        let model = unlimited(&joint, &mesh, &[], "PULL", AnalysisKind::Limit);
         assert_eq!((model.loads.len(), model.dead.len(), model.symmetry), (1, 1, 1));
-        let lift = model_file(&joint, &mesh, &[], "mesh.msh", "LIFT", AnalysisKind::Limit);
+        let lift = unlimited(&joint, &mesh, &[], "LIFT", AnalysisKind::Limit);
         assert_eq!((lift.loads[0].traction, lift.dead.len()), (Some([0.0, 0.0, 1.0]), 0));
     }
 
@@ -297,8 +346,7 @@ mod tests {
         let forces = |axes: &[usize]| -> Vec<f64> {
             let planes: Vec<SymmetryPlane> =
                 axes.iter().map(|&axis| SymmetryPlane { axis }).collect();
-            let model =
-                model_file(&joint, &mesh, &planes, "mesh.msh", "PULL", AnalysisKind::Elastic);
+            let model = unlimited(&joint, &mesh, &planes, "PULL", AnalysisKind::Elastic);
             assert_eq!(
                 (&model.preload[0].cut[..], model.preload[0].axis),
                 ("CUT_BOLT", [0.0, 0.0, -1.0])
@@ -331,7 +379,7 @@ mod tests {
         let of = |axes: &[usize]| {
             let planes: Vec<SymmetryPlane> =
                 axes.iter().map(|&axis| SymmetryPlane { axis }).collect();
-            let model = model_file(&joint, &mesh, &planes, "mesh.msh", "ULS", AnalysisKind::Limit);
+            let model = unlimited(&joint, &mesh, &planes, "ULS", AnalysisKind::Limit);
             assert_eq!((model.loads.len(), model.dead.len(), model.rigid.len()), (0, 0, 1));
             model.rigid[0].clone()
         };

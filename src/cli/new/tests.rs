@@ -1,6 +1,6 @@
 use super::*;
 use bracket_base::yaml;
-use bracket_joint::assembly::build;
+use bracket_codes::design_code::build;
 use bracket_joint::assembly::template_file::SHIPPED;
 
 fn assemble(text: &str) -> bracket_joint::assembly::Joint {

@@ -25,6 +25,7 @@ use bracket::assembly::assembly::{
 };
 use bracket::meshing::joint::{MeshOptions, mesh_joint};
 use bracket::model::FrictionLaw;
+use bracket::strength::{Nominal, NominalStrength};
 use std::collections::BTreeMap;
 
 const X: [f64; 3] = [1.0, 0.0, 0.0];
@@ -133,7 +134,10 @@ fn bursi_jaspart(size: f64) -> Assembly {
     }
     let top = Surface::Plane { axis: 2, at: top, min: [-w, -40.0, 0.0], max: [w, 40.0, 0.0] };
     faces.push(FaceRule { name: "TOP".into(), part: "T".into(), surface: top, imprint: false });
-    let steel = |fy| PartMaterial { e: 210_000.0, nu: 0.3, fy: Some(fy) };
+    let steel = |fy| {
+        let strength = NominalStrength::Steel(Nominal::new(fy));
+        PartMaterial { e: 210_000.0, nu: 0.3, strength }
+    };
     Assembly {
         name: "t1".into(),
         parts,

@@ -2,8 +2,8 @@
 
 use super::printed_formulas::Compared;
 use crate::numbers::Numbers;
-use bracket::assembly;
 use bracket::catalog::{Catalog, IProfile};
+use bracket::checks::design_code::build;
 use bracket::checks::verdict::Verdict;
 use bracket::checks::{Analysed, Check, Status, joint_checks, judge};
 use bracket::driver::demands::demands;
@@ -112,7 +112,7 @@ fn result(text: &str, catalog: &Catalog) -> Option<ResultFile> {
     let path = Path::new("joint.yaml");
     let spec =
         yaml::parse::<ConnectionSpec>(text, path).unwrap_or_else(|e| panic!("{e:?}: {text}"));
-    let joint = assembly::build(&spec, Path::new(""), catalog).ok()?;
+    let joint = build(&spec, Path::new(""), catalog).ok()?;
     let mut checks = joint_checks(&joint);
     let cases: Vec<Analysed> =
         demands(&spec.value.loads).into_iter().map(|d| Analysed::not(d.case)).collect();

@@ -2,8 +2,8 @@
 //! rewritten in other units give the same verdict and numbers.
 
 use crate::numbers::Numbers;
-use bracket::assembly;
 use bracket::catalog::Catalog;
+use bracket::checks::design_code::build;
 use bracket::checks::{Analysed, Check, HandChecks, hand_checks, judge};
 use bracket::spec::connection::ConnectionSpec;
 use bracket::yaml;
@@ -206,8 +206,8 @@ impl Joint {
 fn checks(text: &str, catalog: &Catalog) -> Result<HandChecks, String> {
     let spec = yaml::parse::<ConnectionSpec>(text, Path::new("joint.yaml"))
         .unwrap_or_else(|e| panic!("{e:?}: {text}"));
-    let joint = assembly::build(&spec, Path::new(""), catalog)
-        .map_err(|faults| faults.into_first().message)?;
+    let joint =
+        build(&spec, Path::new(""), catalog).map_err(|faults| faults.into_first().message)?;
     Ok(joint.end_plate.as_ref().map(hand_checks).expect("an end plate"))
 }
 

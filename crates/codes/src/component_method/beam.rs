@@ -3,8 +3,9 @@
 use crate::check::{Unit, within};
 use crate::eurocode::i_section::Section;
 use crate::eurocode::section::{
-    Class, Slenderness, epsilon, modulus_beside_shear, plastic_shear, shear_reduction,
+    Class, Slenderness, epsilon, modulus_beside_shear, shear_reduction,
 };
+use crate::eurocode::yielding::plastic_shear;
 use crate::formula::{Number, Traced};
 use crate::worked::Worked;
 

@@ -2,7 +2,8 @@
 
 use crate::check::{Check, Status, Topic, Unit, number as n, within};
 use crate::eurocode::i_section::Section;
-use crate::eurocode::section::{Class, CrossSection, Slenderness, plastic_shear, shear_reduction};
+use crate::eurocode::section::{Class, CrossSection, Slenderness, shear_reduction};
+use crate::eurocode::yielding::{plastic_shear, yield_strength};
 use crate::formula::{Derivation, Formula, Number, Traced};
 use crate::worked::Worked;
 use bracket_joint::assembly::{EndPlate, PlaneActions};
@@ -127,10 +128,10 @@ impl WeakAxis {
         across: Option<(Formula, Traced)>,
     ) -> Self {
         let (s, number) = (&beam.section, Traced::from);
-        let fyd = Traced::stress("f_y", beam.fy) / Traced::number("γ_M0", beam.gamma_m0);
+        let fyd = Traced::stress("f_y", beam.fy.mpa()) / Traced::number("γ_M0", beam.gamma_m0);
         let n = Traced::force("N_Ed", axial.abs()) / beam.axial().traced();
         let n = Formula::new("n", n, Unit::Number);
-        let class = Slenderness::new(s, s.r).class(s, beam.fy, (-axial).max(0.0));
+        let class = Slenderness::new(s, s.r).class(s, beam.fy.mpa(), (-axial).max(0.0));
         let mut derivation = Derivation::default();
         if axial != 0.0 {
             derivation = derivation.then(n.clone());
@@ -206,7 +207,8 @@ fn twisted(
 ) -> Vec<Check> {
     let s = &beam.section;
     let [f_y, gamma] =
-        [("f_y", beam.fy, Unit::Stress), ("γ_M0", beam.gamma_m0, Unit::Number)].map(Traced::from);
+        [("f_y", beam.fy.mpa(), Unit::Stress), ("γ_M0", beam.gamma_m0, Unit::Number)]
+            .map(Traced::from);
     let shear = f_y / (Traced::from(3.0).sqrt() * gamma);
     let constant = Traced::number("I_t", torsion_constant);
     let thickest = Traced::length("t", s.tf.max(s.tw));
@@ -244,12 +246,12 @@ fn twisted(
 pub(super) fn beyond_the_beam(e: &EndPlate, a: &PlaneActions) -> Option<String> {
     let [[axial, vy, vz], [_, my, _]] = a.at(1.0);
     let section = Section::from(&e.beam);
-    let fyd = e.beam_steel.fy / e.factors.gamma_m0;
+    let fyd = yield_strength(e.beam_steel.fy, e.factors.gamma_m0).mpa();
     let moment = (my.abs(), section.w_pl * fyd, "My", "M_pl,Rd", Unit::Moment);
     let normal = (axial.abs(), section.area * fyd, "N", "N_pl,Rd", Unit::Force);
     let shear = (
         vy.hypot(vz),
-        plastic_shear(section.shear_area(), e.beam_steel.fy, e.factors.gamma_m0),
+        plastic_shear(section.shear_area(), e.beam_steel.fy.mpa(), e.factors.gamma_m0),
         "V",
         "V_pl,Rd",
         Unit::Force,

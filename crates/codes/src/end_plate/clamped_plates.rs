@@ -51,15 +51,15 @@ pub(super) fn clamped_plates(e: &EndPlate) -> Vec<ClampedPlate> {
     let plate = ClampedPlate {
         name: "end plate",
         thickness: e.thickness,
-        fy: e.plate_steel.fy,
-        fu: e.plate_steel.fu,
+        fy: e.plate_steel.fy.mpa(),
+        fu: e.plate_steel.fu.mpa(),
         width: e.width,
     };
     let flange = e.column.as_ref().map(|c| ClampedPlate {
         name: "column flange",
         thickness: c.section.tf,
-        fy: c.steel.fy,
-        fu: c.steel.fu,
+        fy: c.steel.fy.mpa(),
+        fu: c.steel.fu.mpa(),
         width: c.section.b,
     });
     [plate].into_iter().chain(flange).collect()

@@ -8,6 +8,7 @@ use crate::classification::{
     Frame, STIFF_COLUMNS, StiffnessLimits, stiffness_limits, strength_class,
 };
 use crate::component_method::stiffness::at_moment;
+use crate::eurocode::yielding::plastic;
 use crate::formula::{Derivation, Formula, Line, Number, Relation, Traced};
 use crate::worked::Worked;
 use bracket_joint::assembly::EndPlate;
@@ -32,11 +33,10 @@ pub(super) fn classes(end: &MemberEnd<'_>) -> Vec<Check> {
 fn strength(end: &MemberEnd<'_>) -> Check {
     let e = end.e;
     let joint = end.assessment.moment.value;
-    let beam = 1e3 * e.beam.w_pl_y * e.beam_steel.fy / e.factors.gamma_m0;
-    let column = e
-        .column
-        .as_ref()
-        .map_or(f64::INFINITY, |c| 1e3 * c.section.w_pl_y * c.steel.fy / e.factors.gamma_m0);
+    let beam = plastic(1e3 * e.beam.w_pl_y, e.beam_steel.fy.mpa(), e.factors.gamma_m0);
+    let column = e.column.as_ref().map_or(f64::INFINITY, |c| {
+        plastic(1e3 * c.section.w_pl_y, c.steel.fy.mpa(), e.factors.gamma_m0)
+    });
     // a column that ends on both sides is one piece, no more than one column
     let count = e.column.as_ref().map_or(1, |c| columns(c).max(1));
     let class = strength_class(joint, beam, column, count);

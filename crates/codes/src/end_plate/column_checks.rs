@@ -4,6 +4,7 @@
 use super::column_forces::{ColumnForces, Moment, columns, known, unsupported};
 use crate::check::{Check, Status, Topic, Unit, number as n, within};
 use crate::eurocode::section::CrossSection;
+use crate::eurocode::yielding::plastic;
 use crate::formula::{Derivation, Traced};
 use crate::worked::Worked;
 use bracket_joint::assembly::{ColumnSide, EndPlate};
@@ -66,7 +67,7 @@ fn shear(e: &EndPlate, c: &ColumnSide, f: &ColumnForces) -> Option<Check> {
 pub(super) fn beyond_the_column(e: &EndPlate) -> Option<String> {
     let c = e.column.as_ref()?;
     let column = cross_section(e, c);
-    let plastic = column.section.w_pl * column.fy / column.gamma_m0;
+    let plastic = plastic(column.section.w_pl, column.fy.mpa(), column.gamma_m0);
     let given = [
         ("N_Ed", c.axial, column.axial().value, Unit::Force),
         ("M_Ed", c.moment, plastic, Unit::Moment),
@@ -162,7 +163,7 @@ fn net_tension(e: &EndPlate, c: &ColumnSide) -> Worked {
     let holes = (ends.len().max(1) * e.columns().len()) as f64;
     let holes = Traced::number("n_h", holes) * Traced::length("d0", e.hole);
     let net = Traced::area("A", 1e2 * c.section.area) - holes * Traced::length("t_f", c.section.tf);
-    let (f_u, gamma) = (Traced::stress("f_u", c.steel.fu), e.factors.gamma_m2);
+    let (f_u, gamma) = (Traced::stress("f_u", c.steel.fu.mpa()), e.factors.gamma_m2);
     let value = Traced::from(0.9) * net * f_u / Traced::number("γ_M2", gamma);
     let title = "tension of the column beside its holes";
     Worked::of("EN 1993-1-1:2005 6.2.3(2)b", title, "N_u,Rd", value, Unit::Force)

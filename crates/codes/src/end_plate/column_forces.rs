@@ -221,7 +221,7 @@ impl ColumnForces {
         };
         // the tables give cm² and cm⁴
         let stress = -self.axial / (1e2 * s.area) + moment * root / (1e4 * s.i_y);
-        stress.clamp(0.0, c.steel.fy)
+        stress.clamp(0.0, c.steel.fy.mpa())
     }
 }
 

@@ -15,7 +15,7 @@ pub(super) fn component_joint(e: &EndPlate, beta: f64) -> EndPlateJoint {
         let counts = c.doubler > 0.0 && doubler_fault(c).is_none();
         Column {
             section: (&c.section).into(),
-            fy: c.steel.fy,
+            fy: c.steel.fy.mpa(),
             above: c.above,
             below: c.below,
             stiffener: c.stiffener,
@@ -29,7 +29,7 @@ pub(super) fn component_joint(e: &EndPlate, beta: f64) -> EndPlateJoint {
         column,
         beam: Beam {
             section: (&e.beam).into(),
-            fy: e.beam_steel.fy,
+            fy: e.beam_steel.fy.mpa(),
             flange_throat: e.flange_throat,
             web_throat: e.web_throat,
             shear: 0.0,
@@ -39,7 +39,7 @@ pub(super) fn component_joint(e: &EndPlate, beta: f64) -> EndPlateJoint {
             width: e.width,
             bottom: e.bottom,
             top: e.top,
-            fy: e.plate_steel.fy,
+            fy: e.plate_steel.fy.mpa(),
         },
         bolts: Bolts {
             gauge: e.gauge,

@@ -55,7 +55,7 @@ fn panel(e: &EndPlate, subject: &str, a: &Assessment) -> Option<Check> {
     let c = e.column.as_ref().filter(|_| a.shear_governs())?;
     let subject = format!("column web panel, {subject}");
     let clear = Section::from(&c.section).clear_depth();
-    Some(panel_in_shear(&subject, clear, c.section.tw, c.steel.fy))
+    Some(panel_in_shear(&subject, clear, c.section.tw, c.steel.fy.mpa()))
 }
 
 /// Notes on the parts that the component method leaves out, on the safe side.

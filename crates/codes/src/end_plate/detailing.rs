@@ -124,7 +124,7 @@ fn overhang(e: &EndPlate, c: &ColumnSide) -> Option<Check> {
 fn stiffener_slenderness(c: &ColumnSide) -> Check {
     let outstand = 0.5 * (c.section.b - c.section.tw);
     let rule = Traced::from(STIFFENER_SLENDERNESS)
-        * Traced::number("ε", epsilon(c.steel.fy))
+        * Traced::number("ε", epsilon(c.steel.fy.mpa()))
         * Traced::length("t_s", c.stiffener);
     let title = ("EN 1993-1-5:2006 9.2.1", "outstand of the stiffener");
     Check::at_most(

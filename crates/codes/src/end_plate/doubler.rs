@@ -19,7 +19,7 @@ pub(super) fn doubler_fault(c: &ColumnSide) -> Option<String> {
         return Some(format!("t_s = {plate} is less than t_wc = {web} (6.2.6.1)"));
     }
     let widest = Traced::from(40.0)
-        * Traced::number("ε", epsilon(c.steel.fy))
+        * Traced::number("ε", epsilon(c.steel.fy.mpa()))
         * Traced::length("t_s", c.doubler);
     (!within(width, widest.value())).then(|| {
         let widest = Formula::new("", widest, Unit::Length).text();

@@ -18,7 +18,7 @@ use super::transformation::beta;
 use super::weld_checks;
 use crate::check::{Check, Status, Topic, Unit, within};
 use crate::eurocode::i_section::Section;
-use crate::eurocode::section::plastic_shear;
+use crate::eurocode::yielding::plastic_shear;
 use bracket_joint::assembly::{EndPlate, PlaneActions};
 
 /// Adds the checks of every load case and member end.
@@ -148,7 +148,7 @@ fn no_moment(end: &MemberEnd<'_>, moment: f64) -> Option<Check> {
     // beyond V_pl,Rd the check of the shear force fails, with its number
     let e = end.e;
     let area = Section::from(&e.beam).shear_area();
-    let plastic = plastic_shear(area, e.beam_steel.fy, e.factors.gamma_m0);
+    let plastic = plastic_shear(area, e.beam_steel.fy.mpa(), e.factors.gamma_m0);
     let status = if within(vz.abs(), plastic) { Status::Failed } else { none.status };
     Some(Check { status, ..none })
 }

@@ -37,7 +37,7 @@ struct FlangeForces {
 pub(super) fn flange_strength(e: &EndPlate) -> Traced {
     Traced::length("b", e.beam.b)
         * Traced::length("t_f", e.beam.tf)
-        * Traced::stress("f_y", e.beam_steel.fy)
+        * Traced::stress("f_y", e.beam_steel.fy.mpa())
         / Traced::number("γ_M0", e.factors.gamma_m0)
 }
 
@@ -229,7 +229,7 @@ pub(super) fn yielding_part([across, along]: [Traced; 2], most: Traced) -> Trace
 
 /// Strength of the web per length in tension, `t_w f_y/γ_M0` \[N/mm\].
 pub(super) fn web_strength(e: &EndPlate) -> Traced {
-    Traced::length("t_w", e.beam.tw) * Traced::stress("f_y", e.beam_steel.fy)
+    Traced::length("t_w", e.beam.tw) * Traced::stress("f_y", e.beam_steel.fy.mpa())
         / Traced::number("γ_M0", e.factors.gamma_m0)
 }
 

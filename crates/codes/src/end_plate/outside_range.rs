@@ -9,7 +9,7 @@ use super::bolt_holes::{CLEARANCES, Clearance};
 use crate::check::{Check, Topic, Unit, within};
 use crate::formula::{Derivation, Formula, Line, Relation, Traced};
 use bracket_joint::assembly::EndPlate;
-use bracket_joint::assembly::strength::Strength;
+use bracket_joint::strength::Strength;
 
 /// Title of these checks.
 const TITLE: &str = "outside the range of the rules";
@@ -78,7 +78,7 @@ fn steels(parts: &[Part<'_>]) -> Vec<Check> {
     let mut strong: Vec<&Part<'_>> = Vec::new();
     for p in parts {
         let known = strong.iter().any(|q| q.steel.grade == p.steel.grade);
-        if !known && !within(p.steel.fy.max(named(&p.steel.grade)), STRONGEST) {
+        if !known && !within(p.steel.fy.mpa().max(named(&p.steel.grade)), STRONGEST) {
             strong.push(p);
         }
     }

@@ -7,6 +7,7 @@ use super::sense::Sense;
 use crate::check::{Check, Status, within};
 use crate::component_method::equilibrium::SMALL_AXIAL;
 use crate::ductility::{Clamped, plastic_distribution, rotation_capacity};
+use crate::eurocode::yielding::plastic;
 use crate::formula::{Derivation, Formula, Line, Number, Relation, Traced};
 use crate::unit::Unit;
 use bracket_joint::assembly::EndPlate;
@@ -120,7 +121,7 @@ impl RotationRules {
 
 /// Reason why 6.4.2 does not cover the joint: its steels or its axial force.
 fn not_covered(e: &EndPlate) -> Option<Derivation> {
-    let plastic = 1e2 * e.beam.area * e.beam_steel.fy / e.factors.gamma_m0;
+    let plastic = plastic(1e2 * e.beam.area, e.beam_steel.fy.mpa(), e.factors.gamma_m0);
     let most = Traced::from(SMALL_AXIAL) * Traced::force("N_pl,Rd", plastic);
     let axial = e.actions.iter().map(|a| a.at(1.0)[0][0].abs()).fold(0.0, f64::max);
     let steels = [Some(&e.plate_steel), Some(&e.beam_steel), e.column.as_ref().map(|c| &c.steel)];

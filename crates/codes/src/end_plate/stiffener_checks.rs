@@ -41,7 +41,7 @@ impl Stiffeners<'_> {
     }
 
     fn yield_strength(&self) -> Traced {
-        Traced::stress("f_y", self.c.steel.fy)
+        Traced::stress("f_y", self.c.steel.fy.mpa())
     }
 
     fn gamma_m0(&self) -> Traced {
@@ -305,7 +305,7 @@ pub(super) fn doubler_welds(end: &MemberEnd<'_>) -> Vec<Check> {
     let other: f64 = other_ends(e, end.a).map(|o| o.at(1.0)[1][1]).sum();
     let panel = PanelShear::new(e, end.a, other, end.assessment.stiffness.lever);
     // the plate brings no more than it yields with
-    let most = Traced::length("t_s", c.doubler) * Traced::stress("f_y", c.steel.fy)
+    let most = Traced::length("t_s", c.doubler) * Traced::stress("f_y", c.steel.fy.mpa())
         / (Traced::from(3.0).sqrt() * Traced::number("γ_M0", e.factors.gamma_m0));
     let flow = Traced::force("V_wp,Ed", panel.demand) * Traced::length("t_wc", c.section.tw)
         / Traced::area("A_vc", area);

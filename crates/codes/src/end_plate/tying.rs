@@ -24,10 +24,10 @@ const GAMMA_MU: f64 = 1.1;
 /// Table 6.2 with f_u and γ_Mu = 1.1.
 pub(super) fn tying(e: &EndPlate) -> Option<Check> {
     let mut j = component_joint(e, 0.0);
-    j.plate.fy = e.plate_steel.fu;
-    j.beam.fy = e.beam_steel.fu;
+    j.plate.fy = e.plate_steel.fu.mpa();
+    j.beam.fy = e.beam_steel.fu.mpa();
     if let (Some(c), Some(side)) = (&mut j.column, &e.column) {
-        c.fy = side.steel.fu;
+        c.fy = side.steel.fu.mpa();
     }
     (j.gamma_m0, j.gamma_m1) = (GAMMA_MU, GAMMA_MU);
     j.bolts.tension = bolt_tension(e, GAMMA_MU);
@@ -46,7 +46,7 @@ pub(super) fn tying(e: &EndPlate) -> Option<Check> {
                 .fold(f64::INFINITY, f64::min)
         })
         .collect();
-    let beam = Traced::area("A", 1e2 * e.beam.area) * Traced::stress("f_u", e.beam_steel.fu)
+    let beam = Traced::area("A", 1e2 * e.beam.area) * Traced::stress("f_u", e.beam_steel.fu.mpa())
         / Traced::number("γ_Mu", GAMMA_MU);
     let rows = Traced::series(each.iter().map(|f| Traced::force("F_tr,Rd,u", *f)));
     let value = rows.min(beam);

@@ -13,6 +13,7 @@ use crate::component_method::Assessment;
 use crate::eurocode::welds::{
     ThroatStress, WeldedSteel, directional, full_strength_throat, least_size,
 };
+use crate::eurocode::yielding::plastic;
 use crate::formula::{Derivation, Formula, Line, Number, Traced};
 use crate::worked::Worked;
 use bracket_joint::assembly::EndPlate;
@@ -205,7 +206,7 @@ fn of_the_flange(e: &EndPlate, subject: &str, a: &Assessment, otherwise: Status)
     };
     let of_joint = Traced::symbol("M_j,Rd", joint, Unit::Moment);
     let mut out = vec![check(NOT_THE_WEAKEST, title, (of_joint.clone(), None), otherwise)];
-    let plastic = 1e3 * e.beam.w_pl_y * e.beam_steel.fy / e.factors.gamma_m0;
+    let plastic = plastic(1e3 * e.beam.w_pl_y, e.beam_steel.fy.mpa(), e.factors.gamma_m0);
     // no hinge rotates in the joint where the beam yields first, or in a sense that no load case
     // has
     if within(HINGE_IN_BEAM * plastic, joint)

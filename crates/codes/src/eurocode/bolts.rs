@@ -3,8 +3,14 @@
 use crate::formula::{Number, Traced};
 use crate::unit::Unit;
 use crate::worked::Worked;
-use bracket_joint::assembly::inputs::K2;
 use bracket_joint::catalog::{BoltGrade, BoltSize};
+use bracket_joint::strength::{BoltShank, Design};
+
+/// k2 of bolts that are not countersunk.
+///
+/// # Source
+/// EN 1993-1-8:2005 Table 3.4.
+const K2: f64 = 0.9;
 
 /// Design tension resistance of one bolt, `F_t,Rd = k2 f_ub A_s/γ_M2` \[N\].
 ///
@@ -33,6 +39,15 @@ pub fn beta_lf<N: Number>(length: N, d: N) -> N {
     let n = N::from;
     let beta = n(1.0) - (length - n(15.0) * d.clone()) / (n(200.0) * d);
     beta.max(n(0.75)).min(n(1.0))
+}
+
+/// Design yield strength of a shank that yields under F_t,Rd: `F_t,Rd` over the area of the shank.
+///
+/// # Source
+/// EN 1993-1-8:2005 Table 3.4; the area of the shank in place of A_s is this program's.
+pub fn shank_strength(bolt: &BoltShank, gamma_m2: f64) -> Design {
+    let force = f_t_rd(K2, bolt.fub.mpa(), bolt.stress_area, gamma_m2);
+    Design::new(force / bolt.shank_area)
 }
 
 /// [`f_t_rd`] of a bolt.

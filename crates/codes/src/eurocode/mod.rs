@@ -12,6 +12,7 @@ pub mod section;
 pub mod slip;
 pub mod spacing;
 pub mod welds;
+pub mod yielding;
 
 #[cfg(test)]
 mod tests;

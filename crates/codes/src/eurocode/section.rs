@@ -2,11 +2,13 @@
 //! axial force is positive in tension.
 
 use super::i_section::Section;
+use super::yielding::{in_shear, plastic, plastic_shear, yield_strength};
 use crate::check::within;
 use crate::error::CheckError;
 use crate::formula::{Number, Traced};
 use crate::unit::{Unit, number as n};
 use crate::worked::Worked;
+use bracket_joint::strength::Nominal;
 
 /// Factor ε = √(235/f_y).
 ///
@@ -65,14 +67,6 @@ impl Slenderness {
     }
 }
 
-/// Plastic shear resistance \[N\] of a shear area A_v \[mm²\], `V_pl,Rd = A_v f_y/(√3 γ_M0)`.
-///
-/// # Source
-/// EN 1993-1-1:2005 6.2.6(2), formula 6.18.
-pub fn plastic_shear<N: Number>(shear_area: N, fy: N, gamma_m0: N) -> N {
-    shear_area * fy / (N::from(3.0).sqrt() * gamma_m0)
-}
-
 /// Reduction ρ of the strength of the shear area beside a shear force, `ratio` = V_Ed/V_pl,Rd:
 /// `(2 V_Ed/V_pl,Rd − 1)²` above one half, otherwise 0. Beyond V_pl,Rd it is more than 1.
 ///
@@ -112,8 +106,8 @@ pub fn shear_buckling(depth: f64, web: f64, fy: f64) -> (f64, f64) {
 pub struct CrossSection {
     /// Dimensions.
     pub section: Section,
-    /// Nominal yield strength f_y \[MPa\].
-    pub fy: f64,
+    /// Yield strength f_y.
+    pub fy: Nominal,
     /// γ_M0.
     pub gamma_m0: f64,
 }
@@ -146,7 +140,7 @@ impl CrossSection {
     }
 
     fn f_y(&self) -> Traced {
-        Traced::stress("f_y", self.fy)
+        Traced::stress("f_y", self.fy.mpa())
     }
 
     fn gamma_m0(&self) -> Traced {
@@ -158,7 +152,7 @@ impl CrossSection {
     /// # Source
     /// EN 1993-1-1:2005 6.2.3(2), 6.2.4(2).
     pub fn axial(&self) -> Worked {
-        let value = Traced::area("A", self.section.area) * self.f_y() / self.gamma_m0();
+        let value = plastic(Traced::area("A", self.section.area), self.f_y(), self.gamma_m0());
         let (clause, title) = ("EN 1993-1-1:2005 6.2.3(2), 6.2.4(2)", "axial force of the beam");
         Worked::of(clause, title, "N_pl,Rd", value, Unit::Force)
     }
@@ -169,7 +163,7 @@ impl CrossSection {
     /// # Source
     /// EN 1993-1-1:2005 6.2.6(6).
     pub fn web_slenderness(&self) -> (f64, f64) {
-        (self.section.web_depth() / self.section.tw, 72.0 * epsilon(self.fy))
+        (self.section.web_depth() / self.section.tw, 72.0 * epsilon(self.fy.mpa()))
     }
 
     /// Shear buckling resistance of the web without the contribution of the flanges \[N\]:
@@ -180,11 +174,10 @@ impl CrossSection {
     /// alone, η = 1.
     pub fn shear_buckling(&self, gamma_m1: f64) -> Worked {
         let (depth, web) = (self.section.web_depth(), self.section.tw);
-        let (lambda, chi) = shear_buckling(depth, web, self.fy);
+        let (lambda, chi) = shear_buckling(depth, web, self.fy.mpa());
         let gamma = Traced::number("γ_M1", gamma_m1);
         let (h_w, t_w) = (Traced::length("h_w", depth), Traced::length("t_w", web));
-        let value = Traced::number("χ_w", chi) * h_w * t_w * self.f_y()
-            / (Traced::from(3.0).sqrt() * gamma);
+        let value = in_shear(Traced::number("χ_w", chi) * h_w * t_w * self.f_y(), gamma);
         let title = "shear buckling of the beam web, h_w/t_w > 72 ε";
         Worked::of("EN 1993-1-5:2006 5.2", title, "V_bw,Rd", value, Unit::Force).with(
             "λ̄_w",
@@ -206,12 +199,12 @@ impl CrossSection {
     /// # Source
     /// EN 1993-1-1:2005 6.2.5, 6.2.8(3) and (5), 6.2.9.1(4) and (5), 6.2.9.2, 6.2.10(3).
     pub fn bending_6_2_10(&self, shear: f64, axial: f64) -> Result<Worked, CheckError> {
-        let (s, fyd) = (&self.section, self.fy / self.gamma_m0);
+        let (s, fyd) = (&self.section, yield_strength(self.fy, self.gamma_m0).mpa());
         let (v, normal) = (shear.abs() / self.shear().value, axial.abs());
         let rho = shear_reduction(v);
         // the outstand counts from the radius of the area, not from that of k_des
         let slenderness = Slenderness::new(s, s.r);
-        let (clause, value, part) = match slenderness.class(s, self.fy, (-axial).max(0.0)) {
+        let (clause, value, part) = match slenderness.class(s, self.fy.mpa(), (-axial).max(0.0)) {
             Class::Plastic => {
                 let clause = "EN 1993-1-1:2005 6.2.5, 6.2.8, 6.2.9.1";
                 let alone = self.plastic_moment(rho);
@@ -267,7 +260,8 @@ impl CrossSection {
     /// EN 1993-1-1:2005 6.2.9.1(4) and (5); 6.2.10(3): the strength of the shear area is reduced in
     /// the limits of small axial forces as well.
     fn beside_axial_force(&self, rho: f64, normal: f64) -> Option<Traced> {
-        let (s, fyd, n) = (&self.section, self.fy / self.gamma_m0, Traced::from);
+        let fyd = yield_strength(self.fy, self.gamma_m0).mpa();
+        let (s, n) = (&self.section, Traced::from);
         let web = s.web_depth() * s.tw;
         let area = s.area - rho * s.shear_area();
         if within(normal, 0.25 * area * fyd) && within(normal, 0.5 * (1.0 - rho) * web * fyd) {

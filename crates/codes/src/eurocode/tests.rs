@@ -9,6 +9,7 @@ use super::welds::{self, ThroatStress, WeldedSteel};
 use super::{bolt_length, interaction, punching};
 use crate::check::Status;
 use bracket_joint::catalog::{BoltGrade, BoltSize, Catalog};
+use bracket_joint::strength::Nominal;
 
 fn bolt(size: &str, grade: &str) -> (BoltSize, BoltGrade) {
     let catalog = Catalog::builtin().expect("the shipped catalogue is sound");
@@ -210,7 +211,7 @@ fn en_1090_2_length_of_a_bolt() {
     assert_eq!(bolt_length::shank_check("bolt", &b, 120.0, 70.0, 1).status, Status::Failed);
 }
 
-const S235: WeldedSteel = WeldedSteel { fu: 360.0, beta_w: 0.8, gamma_m2: 1.25 };
+const S235: WeldedSteel = WeldedSteel { fu: Nominal::new(360.0), beta_w: 0.8, gamma_m2: 1.25 };
 
 #[test]
 fn clause_4_5_3_2_directional_method() {
@@ -260,8 +261,8 @@ fn clause_4_5_3_2_full_strength_double_fillet() {
         (355.0, 490.0, 0.9, "0.58"),
     ];
     for (fy, fu, beta_w, ratio) in table {
-        let steel = WeldedSteel { fu, beta_w, gamma_m2: 1.25 };
-        let a = welds::full_strength_throat(10.0, fy, 1.0, &steel).value;
+        let steel = WeldedSteel { fu: Nominal::new(fu), beta_w, gamma_m2: 1.25 };
+        let a = welds::full_strength_throat(10.0, Nominal::new(fy), 1.0, &steel).value;
         assert_eq!(format!("{:.2}", a / 10.0), ratio);
         // and the directional method finds such a weld just used up
         let s = 10.0 * fy / (2.0 * 2f64.sqrt() * a);

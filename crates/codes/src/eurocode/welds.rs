@@ -4,6 +4,7 @@ use crate::check::{Check, Status, Topic, within};
 use crate::formula::{Derivation, Formula, Number, Traced};
 use crate::unit::Unit;
 use crate::worked::Worked;
+use bracket_joint::strength::{Design, Nominal, WeldSteel};
 
 /// Least throat of a fillet weld \[mm\], EN 1993-1-8:2005 4.5.2(2).
 pub const LEAST_THROAT: f64 = 3.0;
@@ -11,8 +12,8 @@ pub const LEAST_THROAT: f64 = 3.0;
 /// Strength of the weaker part joined, and its correlation factor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WeldedSteel {
-    /// Nominal ultimate strength of the weaker part \[MPa\].
-    pub fu: f64,
+    /// Ultimate strength of the weaker part.
+    pub fu: Nominal,
     /// β_w, Table 4.1.
     pub beta_w: f64,
     /// γ_M2.
@@ -92,15 +93,28 @@ pub fn transverse(throat: f64, steel: &WeldedSteel) -> Worked {
     Worked::of("EN 1993-1-8:2005 4.5.3.2(6)", title, "F_w,Rd", value, Unit::ForcePerLength)
 }
 
+/// Design resistance of a fillet weld per length, `a f_u/(√n β_w γ_M2)` \[N/mm\]: n = 3 in shear, 2
+/// under a force across the weld.
+fn per_length<N: Number>(throat: N, n: f64, f_u: N, beta_w: N, gamma_m2: N) -> N {
+    throat * f_u / (N::from(n).sqrt() * beta_w * gamma_m2)
+}
+
+/// Design shear strength of a fillet weld on its throat, `f_vw,d = f_u/(√3 β_w γ_M2)`.
+///
+/// # Source
+/// EN 1993-1-8:2005 4.5.3.3(3), formula 4.4.
+pub fn shear_strength(steel: &WeldSteel, gamma_m2: f64) -> Design {
+    Design::new(per_length(1.0, 3.0, steel.fu.mpa(), steel.beta_w, gamma_m2))
+}
+
 impl WeldedSteel {
-    /// `a f_u/(√n β_w γ_M2)` \[N/mm\].
+    /// [`per_length`] of a throat.
     fn per_length(&self, throat: f64, n: f64) -> Traced {
-        let below = Traced::from(n).sqrt() * self.beta_w() * self.gamma_m2();
-        Traced::length("a", throat) * self.f_u() / below
+        per_length(Traced::length("a", throat), n, self.f_u(), self.beta_w(), self.gamma_m2())
     }
 
     fn f_u(&self) -> Traced {
-        Traced::stress("f_u", self.fu)
+        Traced::stress("f_u", self.fu.mpa())
     }
 
     fn beta_w(&self) -> Traced {
@@ -184,8 +198,13 @@ pub fn either_method(force: LineForce, throat: f64, steel: &WeldedSteel) -> Work
 ///
 /// # Source
 /// EN 1993-1-8:2005 4.5.3.2(6) with the stresses of a double fillet under transverse tension.
-pub fn full_strength_throat(thickness: f64, fy: f64, gamma_m0: f64, steel: &WeldedSteel) -> Worked {
-    let (t, f_y) = (Traced::length("t", thickness), Traced::stress("f_y", fy));
+pub fn full_strength_throat(
+    thickness: f64,
+    fy: Nominal,
+    gamma_m0: f64,
+    steel: &WeldedSteel,
+) -> Worked {
+    let (t, f_y) = (Traced::length("t", thickness), Traced::stress("f_y", fy.mpa()));
     let value = t * f_y / Traced::number("γ_M0", gamma_m0) * steel.beta_w() * steel.gamma_m2()
         / (Traced::from(2.0).sqrt() * steel.f_u());
     let title = "throat of a double fillet weld of full strength";

@@ -4,6 +4,7 @@
 //! It is built from the spec, the template and the catalogue. `geometry` turns its solids into a
 //! CAD script; `mesh` and `model` also read it.
 
+use crate::strength::{NominalStrength, WeldSteel};
 use bracket_engine::model::FrictionLaw;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -98,15 +99,15 @@ pub struct MidPlane {
     pub max: [f64; 3],
 }
 
-/// Elastic constants and strength of a part's material.
+/// Elastic constants and nominal strength of a part's material.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PartMaterial {
     /// Young's modulus \[MPa\].
     pub e: f64,
     /// Poisson's ratio.
     pub nu: f64,
-    /// Design yield strength \[MPa\]; `None`: the material does not yield.
-    pub fy: Option<f64>,
+    /// Nominal strength.
+    pub strength: NominalStrength,
 }
 
 /// One body of the joint.
@@ -164,8 +165,8 @@ pub struct WeldRule {
     /// Area of the interface divided by half the length of its welds \[mm\]. For a plate with a
     /// weld on each side this is the thickness of the plate.
     pub thickness: f64,
-    /// Strength f_u/(√3 β_w γ_M2) on the throat \[MPa\].
-    pub strength: f64,
+    /// The weaker steel of the two parts.
+    pub steel: WeldSteel,
 }
 
 /// A piece of a surface, defined by coordinates.

@@ -352,7 +352,7 @@ fn a_faulty_template_of_the_user_is_named() {
         let parsed = bracket_base::yaml::parse(&spec, std::path::Path::new("joint.yaml"))
             .expect("the spec is sound");
         let catalog = crate::catalog::Catalog::builtin().expect("sound");
-        let joint = super::build(&parsed, folder.path(), &catalog);
+        let joint = super::build(&parsed, folder.path(), &catalog, super::tests::code());
         joint.map(drop)
     };
     assert!(build(shipped).is_ok());

@@ -2,23 +2,23 @@
 //! values.
 
 use super::actions::PlaneActions;
+use super::code_values::CodeValues;
 use super::column_ends::ColumnEnds;
 use super::column_span::ColumnSpan;
 use super::content::NotChecked;
 use super::error::AssemblyError;
-use super::factors::PartialFactors;
 use super::inputs::Inputs;
 use super::scope::Scope;
 use super::small_actions::SmallActions;
 use super::spec_checks::system_length;
-use super::strength::Strength;
 use super::template::{EndPlateEntry, Template};
 use crate::catalog::{BoltGrade, BoltSize, IProfile};
-use crate::spec::code::{FySource, PryingRule};
+use crate::spec::code::{FySource, PartialFactors, PryingRule};
 use crate::spec::connection::{BoltCategory, ConnectionSpec};
 use crate::spec::expr::{Expr, ExprError};
 use crate::spec::loads::LoadSpec;
 use crate::spec::welds::WeldSpec;
+use crate::strength::Strength;
 use bracket_base::units::limits;
 use serde::Serialize;
 
@@ -160,7 +160,7 @@ pub struct EndPlate {
     pub annex: Option<String>,
     /// Table that the yield strengths come from.
     pub fy_source: FySource,
-    /// Partial factors.
+    /// Partial factors of the design code.
     #[serde(flatten)]
     pub factors: PartialFactors,
 }
@@ -232,7 +232,7 @@ fn unseen(spec: &ConnectionSpec, entry: &EndPlateEntry, small: &SmallActions) ->
 pub(super) fn end_plate(
     spec: &ConnectionSpec,
     template: &Template,
-    (inputs, scope): (&Inputs<'_>, &Scope),
+    (inputs, scope, code): (&Inputs<'_>, &Scope, &CodeValues),
     small: &SmallActions,
     actions: Vec<PlaneActions>,
 ) -> Result<Option<EndPlate>, AssemblyError> {
@@ -352,8 +352,8 @@ pub(super) fn end_plate(
         unseen: unseen(spec, entry, small),
         always_prying: spec.code.prying == PryingRule::Always,
         welds: spec.welds,
-        annex: inputs.annex().map(str::to_owned),
+        annex: code.annex.clone(),
         fy_source: spec.code.fy_source,
-        factors: inputs.partial_factors(),
+        factors: code.factors,
     }))
 }

@@ -1,25 +1,21 @@
-//! Catalogue rows and values of one spec: profiles, steels, bolts, parameters, friction, factors.
+//! Catalogue rows and values of one spec: profiles, steels, bolts, parameters, friction.
 
 use super::assembly::PartMaterial;
 use super::error::{AssemblyError, known_names, unknown_in};
-use super::factors::{FactorsOfSpec, PartialFactors};
 use super::given::given;
 use super::scope::{Given, Resolved, Scope, path_of};
 use super::spec_checks;
-use super::strength::Strength;
 use super::template::Template;
 use crate::catalog::{BoltGrade, BoltSize, Catalog, CatalogError, IProfile, Steel};
 use crate::spec::connection::{ConnectionSpec, PreloadSpec};
 use crate::spec::expr::Value;
+use crate::strength::{BoltShank, Nominal, NominalStrength, Strength};
 use bracket_base::diag::{AtLeastOne, did_you_mean, number};
 use bracket_base::units::limits;
 use std::collections::BTreeMap;
 
 /// Young's modulus and Poisson's ratio of bolts (EN 1993-1-1, 3.2.6) \[MPa\].
 const BOLT_ELASTIC: (f64, f64) = (210_000.0, 0.3);
-
-/// k2 of EN 1993-1-8:2005 Table 3.4, for bolts that are not countersunk.
-pub const K2: f64 = 0.9;
 
 /// Catalogue rows and values of one spec.
 pub struct Inputs<'a> {
@@ -33,7 +29,6 @@ pub struct Inputs<'a> {
     pub mu: f64,
     /// Preload of a bolt \[N\], if the bolts are preloaded.
     pub preload: Option<f64>,
-    factors: FactorsOfSpec,
 }
 
 fn unlisted(path: String, cause: CatalogError) -> AssemblyError {
@@ -41,11 +36,13 @@ fn unlisted(path: String, cause: CatalogError) -> AssemblyError {
 }
 
 impl<'a> Inputs<'a> {
-    /// Reads a spec. Reports all faults that can be found in one pass.
+    /// Reads a spec. Reports all faults that can be found in one pass, with those that the design
+    /// code found in its section of the spec.
     pub fn read(
         spec: &ConnectionSpec,
         template: &Template,
         catalog: &'a Catalog,
+        of_code: Vec<AssemblyError>,
     ) -> Result<Self, AtLeastOne<AssemblyError>> {
         let mut faults = Vec::new();
         let mut profiles = Vec::new();
@@ -92,7 +89,7 @@ impl<'a> Inputs<'a> {
         let preload = bolt.and_then(|(size, grade)| {
             preload(spec, size, grade).map_err(|e| faults.push(e)).ok().flatten()
         });
-        let factors = FactorsOfSpec::read(&spec.code, catalog, &mut faults);
+        faults.extend(of_code);
         let mu = match (spec.friction.mu, &spec.friction.class) {
             (None, Some(c)) => catalog.friction_class(c).map(|f| f.mu).unwrap_or_else(|e| {
                 faults.push(unlisted("friction.class".into(), e));
@@ -135,7 +132,7 @@ impl<'a> Inputs<'a> {
         spec_checks::rest(spec, template, mu, &mut faults);
         let given = given(spec, template, &mut faults);
         AtLeastOne::refuse(faults)?;
-        Ok(Self { profiles, steels, bolt, given, mu, preload, factors })
+        Ok(Self { profiles, steels, bolt, given, mu, preload })
     }
 
     /// The names known before any parameter is resolved: `role.h`, `bolt.d` and others.
@@ -183,8 +180,8 @@ impl<'a> Inputs<'a> {
         let fy = steel
             .fy_by(spec.code.fy_source, thickness)
             .map_err(|cause| self.at_thickness(path, thickness, cause))?;
-        let material =
-            PartMaterial { e: steel.e, nu: steel.nu, fy: Some(fy / self.factors.values.gamma_m0) };
+        let strength = NominalStrength::Steel(Nominal::new(fy));
+        let material = PartMaterial { e: steel.e, nu: steel.nu, strength };
         Ok(insert(materials, &steel.grade, thickness, material))
     }
 
@@ -223,66 +220,27 @@ impl<'a> Inputs<'a> {
         let fault = |cause: CatalogError| self.at_thickness(path, thickness, cause);
         Ok(Strength {
             grade: steel.grade.clone(),
-            fy: steel.fy_by(table, thickness).map_err(fault)?,
-            fu: steel.fu_by(table, thickness).map_err(fault)?,
+            fy: Nominal::new(steel.fy_by(table, thickness).map_err(fault)?),
+            fu: Nominal::new(steel.fu_by(table, thickness).map_err(fault)?),
             e: steel.e,
             beta_w: steel.beta_w,
         })
     }
 
-    /// Notes for the report on factors and grades: partial factors below the recommended values,
-    /// and ASTM steels and bolts under the checks of a European code.
-    pub fn notes(&self) -> Vec<String> {
-        let foreign = |standard: &str| standard.starts_with("ASTM");
-        let mut grades: Vec<String> = Vec::new();
-        let steels = self
-            .steels
-            .values()
-            .filter(|(_, s)| foreign(&s.standard))
-            .map(|(_, s)| s.grade.clone());
-        let bolts = self.bolt.iter().filter(|(_, g)| g.standard.as_deref().is_some_and(foreign));
-        for name in steels.chain(bolts.map(|(_, g)| format!("bolts {}", g.grade))) {
-            if !grades.contains(&name) {
-                grades.push(name);
-            }
-        }
-        let mut out = self.factors.low.clone();
-        if grades.is_empty() {
-            return out;
-        }
-        let text = "the checks are those of EN 1993-1-8, which does not list them; the checks of \
-                    AISC 360 are not in this edition";
-        out.push(format!("grades of ASTM standards ({}): {text}", grades.join(", ")));
-        out
-    }
-
-    /// The national annex of the spec, as the catalogue names it; `None` for the recommended
-    /// values.
-    pub fn annex(&self) -> Option<&str> {
-        self.factors.annex.as_deref()
-    }
-
-    /// The partial factors.
-    pub fn partial_factors(&self) -> PartialFactors {
-        self.factors.values
-    }
-
-    /// The partial factors with their origins, for the list of resolved values.
-    pub fn factors_resolved(&self) -> &[Resolved] {
-        &self.factors.resolved
-    }
-
-    /// Adds the material of a bolt. The shank is meshed with the nominal area; it yields at F_t,Rd
-    /// of EN 1993-1-8 Table 3.4.
+    /// Adds the material of a bolt, whose shank is meshed with the nominal area, and returns its
+    /// key.
     pub fn bolt_material(
         &self,
         size: &BoltSize,
         grade: &BoltGrade,
         materials: &mut BTreeMap<String, PartMaterial>,
     ) -> String {
-        let area = std::f64::consts::PI * size.d * size.d / 4.0;
-        let fy = K2 * grade.fub * size.stress_area / self.factors.values.gamma_m2 / area;
-        let material = PartMaterial { e: BOLT_ELASTIC.0, nu: BOLT_ELASTIC.1, fy: Some(fy) };
+        let strength = NominalStrength::Bolt(BoltShank {
+            fub: Nominal::new(grade.fub),
+            stress_area: size.stress_area,
+            shank_area: std::f64::consts::PI * size.d * size.d / 4.0,
+        });
+        let material = PartMaterial { e: BOLT_ELASTIC.0, nu: BOLT_ELASTIC.1, strength };
         insert(materials, &format!("bolt_{}_{}", size.size, grade.grade), size.d, material)
     }
 

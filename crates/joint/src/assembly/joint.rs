@@ -3,6 +3,7 @@
 use super::actions;
 use super::assembly::{Assembly, Part};
 use super::builder::{BoltLine, Context};
+use super::code_values::CodeValues;
 use super::column_span::column_span;
 use super::content::Content;
 use super::coverage;
@@ -21,6 +22,7 @@ use super::symmetry;
 use super::template::Template;
 use super::template_file::{self, ReadTemplate, Templates};
 use crate::catalog::Catalog;
+use crate::spec::code::PartialFactors;
 use crate::spec::connection::ConnectionSpec;
 use bracket_base::diag::{AtLeastOne, Diagnostic, Diagnostics};
 use bracket_base::yaml::Parsed;
@@ -39,6 +41,8 @@ pub struct Joint {
     /// Data of the connection for the hand checks, if the template gives them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub end_plate: Option<EndPlate>,
+    /// Partial factors of the design code.
+    pub factors: PartialFactors,
     /// Notes on the input that the report must contain.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub notes: Vec<String>,
@@ -99,13 +103,14 @@ impl LoadedTemplate {
 }
 
 /// Builds the joint that a spec describes. `base` is the folder of the spec, from which template
-/// paths are resolved.
+/// paths are resolved. `code` is what the design code says about the spec.
 pub fn build(
     spec: &Parsed<ConnectionSpec>,
     base: &Path,
     catalog: &Catalog,
+    code: CodeValues,
 ) -> Result<Joint, Diagnostics> {
-    build_from(spec, &LoadedTemplate::of(spec, base)?, catalog)
+    build_from(spec, &LoadedTemplate::of(spec, base)?, catalog, code)
 }
 
 /// Builds the joint that a spec describes from its template.
@@ -113,6 +118,7 @@ pub fn build_from(
     spec: &Parsed<ConnectionSpec>,
     LoadedTemplate { template, origin, .. }: &LoadedTemplate,
     catalog: &Catalog,
+    mut code: CodeValues,
 ) -> Result<Joint, Diagnostics> {
     // an error in a user's template is reported at its place in the template file
     let one = |f: AssemblyError| match (origin, &f) {
@@ -126,12 +132,14 @@ pub fn build_from(
     };
     let placed = |faults: AtLeastOne<AssemblyError>| faults.map(&one);
     let alone = |fault: AssemblyError| Diagnostics::from(one(fault));
-    let inputs = Inputs::read(&spec.value, template, catalog).map_err(&placed)?;
+    let of_code = std::mem::take(&mut code.faults);
+    let inputs = Inputs::read(&spec.value, template, catalog, of_code).map_err(&placed)?;
     let mut scope = inputs.scope();
     let resolved = scope.resolve(template, &inputs.given).map_err(&placed)?;
     rules(template, &scope).map_err(&placed)?;
     let ends = member_ends::ends(template, &scope).map_err(alone)?;
-    let small = SmallActions::new(&spec.value, template, &inputs, &scope, &ends).map_err(alone)?;
+    let small =
+        SmallActions::new(&spec.value, template, &code.members, &scope, &ends).map_err(alone)?;
     let context =
         Context { spec: &spec.value, template, inputs: &inputs, scope: &scope, small: &small };
     let (assembly, moved, without_strength) = assembly(&context).map_err(alone)?;
@@ -145,8 +153,8 @@ pub fn build_from(
         }
         None => Default::default(),
     };
-    let mut end_plate =
-        end_plate(&spec.value, template, (&inputs, &scope), &small, actions).map_err(alone)?;
+    let mut end_plate = end_plate(&spec.value, template, (&inputs, &scope, &code), &small, actions)
+        .map_err(alone)?;
     let role = template.hand_checks.as_ref().and_then(|h| h.column.as_ref());
     let column = end_plate.as_mut().and_then(|e| e.column.as_mut());
     if let (Some(column), Some(role)) = (column, role) {
@@ -164,14 +172,15 @@ pub fn build_from(
     let mut resolved = resolved;
     resolved.extend(inputs.preload_resolved(&spec.value));
     resolved.push(inputs.friction_resolved(&spec.value));
-    resolved.extend(inputs.factors_resolved().iter().cloned());
+    resolved.extend(code.resolved);
     Ok(Joint {
         assembly,
         resolved,
         catalogue: inputs.catalogue(),
         end_plate,
-        notes: inputs
-            .notes()
+        factors: code.factors,
+        notes: code
+            .notes
             .into_iter()
             .chain(moved.map(note_of_ledges))
             .chain(small.notes())
@@ -191,7 +200,7 @@ pub fn names(
     LoadedTemplate { template, .. }: &LoadedTemplate,
     catalog: &Catalog,
 ) -> Result<Scope, AtLeastOne<AssemblyError>> {
-    let inputs = Inputs::read(spec, template, catalog)?;
+    let inputs = Inputs::read(spec, template, catalog, Vec::new())?;
     let mut scope = inputs.scope();
     scope.resolve(template, &inputs.given)?;
     Ok(scope)
@@ -204,7 +213,7 @@ pub fn given_names(
     LoadedTemplate { template, .. }: &LoadedTemplate,
     catalog: &Catalog,
 ) -> Result<Scope, AtLeastOne<AssemblyError>> {
-    let inputs = Inputs::read(spec, template, catalog)?;
+    let inputs = Inputs::read(spec, template, catalog, Vec::new())?;
     let mut scope = inputs.scope();
     inputs.given.iter().for_each(|(name, value)| scope.take(name, value));
     Ok(scope)

@@ -137,7 +137,7 @@ fn names(all: impl Iterator<Item = String>) -> String {
 #[cfg(test)]
 mod tests {
     use crate::assembly::template_file::SHIPPED;
-    use crate::assembly::tests::with;
+    use crate::assembly::tests::{code, with};
     use crate::catalog::Catalog;
     use crate::spec::ConnectionSpec;
     use bracket_base::diag::Diagnostics;
@@ -163,7 +163,8 @@ mod tests {
         std::fs::write(folder.path().join("mine.yaml"), template).expect("written");
         let spec = with("template: double_sided_end_plate", "template: mine.yaml");
         let spec = yaml::parse::<ConnectionSpec>(&spec, Path::new("joint.yaml"))?;
-        crate::assembly::build(&spec, folder.path(), &Catalog::builtin().expect("sound")).map(drop)
+        let catalog = Catalog::builtin().expect("sound");
+        crate::assembly::build(&spec, folder.path(), &catalog, code()).map(drop)
     }
 
     const COLUMNS: &str = "  - name: \"BOLT_{#side}{#row}{#col}\"

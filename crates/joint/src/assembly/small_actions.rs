@@ -8,15 +8,14 @@
 
 use super::error::AssemblyError;
 use super::evaluate::within;
-use super::inputs::Inputs;
 use super::member_ends::{End, Mask, Moved};
 use super::scope::Scope;
 use super::template::Template;
-use crate::catalog::IProfile;
 use crate::spec::connection::ConnectionSpec;
 use crate::spec::loads::{Action, LimitState, LoadSpec};
 use bracket_base::math::vec3::V3;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 
 /// Share of the member's own resistance up to which T, Mz and Vy are neglected. N is not: at the
 /// lever arm of the rows a part of it is a moment of a weak joint.
@@ -113,12 +112,13 @@ fn components() -> impl Iterator<Item = (usize, usize)> {
 }
 
 impl SmallActions {
-    /// Judges the loads at member ends. The directions of a polygon are no demand and stay as they
-    /// are.
+    /// Judges the loads at member ends beside the resistances of the members
+    /// ([`CodeValues::members`](super::CodeValues::members)). The directions of a polygon are no
+    /// demand and stay as they are.
     pub fn new(
         spec: &ConnectionSpec,
         template: &Template,
-        inputs: &Inputs<'_>,
+        members: &BTreeMap<String, [V3; 2]>,
         scope: &Scope,
         ends: &[End<'_>],
     ) -> Result<Self, AssemblyError> {
@@ -130,14 +130,7 @@ impl SmallActions {
             };
             let Some(moved) = end.to_plane(load)? else { continue };
             let role = member_of(template, scope, &end.part()?)?;
-            let resistance = match role.as_ref().and_then(|r| Some((r, inputs.profile(r)?))) {
-                Some((role, profile)) => {
-                    let steel = inputs.strength(spec, std::slice::from_ref(role), profile.tf)?;
-                    let design = steel.fy / inputs.partial_factors().gamma_m0;
-                    Some(resistances(profile, design))
-                }
-                None => None,
-            };
+            let resistance = role.and_then(|r| members.get(&r).copied());
             judged.push(Judged { load, end: &end.name, moved, resistance });
         }
         let mut out = Self::default();
@@ -258,24 +251,4 @@ fn member_of(
         }
     }
     Ok(None)
-}
-
-/// Plastic resistances of a section to each action alone, `design` = f_y/γ_M0 \[MPa\], in the order
-/// of [`ACTIONS`] \[N, N mm\].
-///
-/// # Source
-/// EN 1993-1-1:2005 6.2.3, 6.2.5, 6.2.6, 6.2.7: A f_y, A_v f_y/√3, W_pl f_y; torsion by St. Venant
-/// at first yield of the flange, I_t/t_f · f_y/√3. A_v across the web is A − h_w t_w, along it
-/// h_w t_w.
-fn resistances(p: &IProfile, design: f64) -> [V3; 2] {
-    let (area, web) = (1e2 * p.area, (p.h - 2.0 * p.tf) * p.tw);
-    let shear = design / 3f64.sqrt();
-    [
-        [area * design, (area - web) * shear, web * shear],
-        [
-            p.torsion_constant() / p.tf.max(p.tw) * shear,
-            1e3 * p.w_pl_y * design,
-            1e3 * p.w_pl_z * design,
-        ],
-    ]
 }

@@ -223,7 +223,8 @@ fn portrait(a: &Assembly, shapes: &Shapes<'_>, mirror: Option<usize>) -> impl Pa
     let weld = |w: &WeldRule| {
         let pair = [shape(&w.between[0]), shape(&w.between[1])];
         let lengths = [w.throat, w.thickness].map(on_grid);
-        (pair, surface(&w.surface, mirror), lengths, digits(w.strength))
+        let steel = [w.steel.fu.mpa(), w.steel.beta_w].map(digits);
+        (pair, surface(&w.surface, mirror), lengths, steel)
     };
     let mut welds: Vec<_> = a.welds.iter().map(weld).collect();
     welds.sort();

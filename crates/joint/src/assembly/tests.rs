@@ -1,9 +1,11 @@
 //! Tests of the paper's joint built from its spec, and of the symmetry of its variants.
 
 use super::assembly::{Action, FaceLoad, OutlineEdge, Part, PartRole, Solid, Surface};
-use super::{Joint, build};
+use super::{CodeValues, Joint, build};
 use crate::catalog::Catalog;
 use crate::spec::ConnectionSpec;
+use crate::spec::code::PartialFactors;
+use crate::strength::{Nominal, NominalStrength};
 use bracket_base::diag::Diagnostics;
 use bracket_base::yaml;
 use bracket_engine::model::FrictionLaw;
@@ -13,7 +15,27 @@ pub(super) const PAPER: &str = include_str!("../../../../examples/paper_joint/jo
 
 pub(super) fn joint(text: &str) -> Result<Joint, Diagnostics> {
     let spec = yaml::parse::<ConnectionSpec>(text, Path::new("joint.yaml"))?;
-    build(&spec, Path::new("."), &Catalog::builtin().expect("the shipped catalogue is sound"))
+    let catalog = Catalog::builtin().expect("the shipped catalogue is sound");
+    build(&spec, Path::new("."), &catalog, code())
+}
+
+/// A code whose factors are 1. Every beam is an IPE300 of S235: 235 MPa, in shear 135.7 MPa.
+pub(super) fn code() -> CodeValues {
+    CodeValues {
+        factors: PartialFactors {
+            gamma_m0: 1.0,
+            gamma_m1: 1.0,
+            gamma_m2: 1.0,
+            gamma_m3: 1.0,
+            gamma_m3_ser: 1.0,
+            gamma_m7: 1.0,
+        },
+        annex: None,
+        resolved: Vec::new(),
+        notes: Vec::new(),
+        members: [("beam".into(), [[1264e3, 461.6e3, 268.4e3], [2.55e6, 147.7e6, 29.4e6]])].into(),
+        faults: Vec::new(),
+    }
 }
 
 pub(super) fn ok(text: &str) -> Joint {
@@ -142,17 +164,22 @@ fn paper_joint_is_complete() {
     );
     assert_eq!(
         a.materials["S235"],
-        super::assembly::PartMaterial { e: 210_000.0, nu: 0.3, fy: Some(235.0) }
+        super::assembly::PartMaterial {
+            e: 210_000.0,
+            nu: 0.3,
+            strength: NominalStrength::Steel(Nominal::new(235.0))
+        }
     );
 }
 
 #[test]
-fn bolt_material_carries_the_design_tension_resistance() {
+fn bolt_material_is_nominal() {
     let a = ok(PAPER).assembly;
-    let bolt = a.materials["bolt_M18_8_8"];
-    // M18 8.8: F_t,Rd = 0.9 · 800 · 192 / 1.25 = 110 592 N over the meshed shank π 18²/4
-    let resistance = bolt.fy.expect("bolts yield") * std::f64::consts::PI * 81.0;
-    assert!((resistance - 110_592.0).abs() < 1e-6, "{resistance}");
+    let NominalStrength::Bolt(bolt) = a.materials["bolt_M18_8_8"].strength else {
+        panic!("a bolt")
+    };
+    assert_eq!((bolt.fub, bolt.stress_area), (Nominal::new(800.0), 192.0));
+    assert!((bolt.shank_area - std::f64::consts::PI * 81.0).abs() < 1e-9, "{bolt:?}");
 }
 
 #[test]
@@ -389,7 +416,7 @@ loads: [{name: PULL, section: end, traction: [100 MPa, 0 MPa, 0 MPa]}]
 ";
     let spec = yaml::parse::<ConnectionSpec>(spec, Path::new("s.yaml")).expect("sound");
     let catalog = Catalog::builtin().expect("sound");
-    let j = build(&spec, folder.path(), &catalog).unwrap_or_else(|e| panic!("{e:#?}"));
+    let j = build(&spec, folder.path(), &catalog, code()).unwrap_or_else(|e| panic!("{e:#?}"));
     assert_eq!(j.assembly.symmetry.iter().map(|s| s.axis).collect::<Vec<_>>(), [1]);
     assert_eq!(j.assembly.interfaces.len(), 1 + 2 + 2);
     close(extent(&part(&j, "UPPER").solid), ([-40.0, -40.0, 0.0], [200.0, 40.0, 12.0]));
@@ -404,19 +431,7 @@ loads: [{name: PULL, section: end, traction: [100 MPa, 0 MPa, 0 MPa]}]
     ] {
         std::fs::write(folder.path().join("lap.yaml"), template.replace("outward: 1", wrong))
             .expect("writable");
-        let e = build(&spec, folder.path(), &catalog).expect_err(wrong);
+        let e = build(&spec, folder.path(), &catalog, code()).expect_err(wrong);
         assert!(format!("{e:?}").contains(told), "{e:?}");
     }
-}
-
-#[test]
-fn grades_of_astm_are_noted_once() {
-    assert!(ok(PAPER).notes.is_empty());
-    let text = PAPER.replace("S235", "A992").replace("\"8.8\"", "A325");
-    let notes = ok(&text).notes;
-    assert_eq!(notes.len(), 1, "{notes:#?}");
-    assert!(notes[0].starts_with(
-        "grades of ASTM standards (A992, bolts A325): the checks are those of EN 1993-1-8"
-    ));
-    assert!(notes[0].contains("AISC 360 are not in this edition"));
 }

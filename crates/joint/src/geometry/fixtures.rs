@@ -3,6 +3,7 @@
 
 use crate::assembly::Assembly;
 use crate::assembly::assembly::*;
+use crate::strength::NominalStrength;
 use bracket_engine::model::FrictionLaw;
 use std::collections::BTreeMap;
 
@@ -50,7 +51,10 @@ fn hexagon(origin: [f64; 3], u: [f64; 3], v: [f64; 3], s: f64, length: f64) -> S
 }
 
 fn steel() -> BTreeMap<String, PartMaterial> {
-    BTreeMap::from([("steel".to_string(), PartMaterial { e: 210000.0, nu: 0.3, fy: None })])
+    BTreeMap::from([(
+        "steel".to_string(),
+        PartMaterial { e: 210000.0, nu: 0.3, strength: NominalStrength::Unlimited },
+    )])
 }
 
 fn part(

@@ -40,6 +40,23 @@ pub struct Code {
     pub prying: PryingRule,
 }
 
+/// All partial factors of one spec, in the order of the standard.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct PartialFactors {
+    /// γ_M0: cross-sections.
+    pub gamma_m0: f64,
+    /// γ_M1: members and web panels against instability.
+    pub gamma_m1: f64,
+    /// γ_M2: bolts, welds, net sections.
+    pub gamma_m2: f64,
+    /// γ_M3: slip at the ultimate limit state.
+    pub gamma_m3: f64,
+    /// γ_M3,ser: slip at serviceability.
+    pub gamma_m3_ser: f64,
+    /// γ_M7: preload of bolts.
+    pub gamma_m7: f64,
+}
+
 /// Whether prying forces develop in T-stubs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]

@@ -201,7 +201,7 @@ mod tests {
     use super::*;
     use crate::draw::svg::overlaps;
     use bracket_base::yaml;
-    use bracket_joint::assembly::build;
+    use bracket_codes::design_code::build;
     use bracket_joint::catalog::Catalog;
     use bracket_joint::spec::ConnectionSpec;
     use std::path::Path;

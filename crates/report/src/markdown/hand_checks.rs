@@ -156,11 +156,7 @@ pub(crate) fn value_of(step: &Step) -> String {
 
 fn formula(c: &Check) -> String {
     let values: Vec<String> = c.values.iter().map(value_of).collect();
-    if values.is_empty() {
-        c.formula()
-    } else {
-        format!("{}; {}", c.formula(), values.join(", "))
-    }
+    if values.is_empty() { c.formula() } else { format!("{}; {}", c.formula(), values.join(", ")) }
 }
 
 /// Load case and part of a check.

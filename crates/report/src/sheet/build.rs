@@ -1,8 +1,8 @@
 //! Fills the sheet from the data of the report.
 
 use super::blocks::{Block, Grid, plain, section, sentence};
-use super::formula::{Piece, pieces};
 use super::derivation::derivation;
+use super::formula::{Piece, pieces};
 use super::head::{Head, Paper};
 use super::{
     Bar, BarLabels, CaseAnswer, Extent, Section, Sheet, SummaryLine, TopicSheet, VerdictBox,

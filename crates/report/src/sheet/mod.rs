@@ -3,8 +3,8 @@
 
 pub mod blocks;
 pub mod build;
-pub mod formula;
 pub mod derivation;
+pub mod formula;
 pub mod head;
 pub mod sweep;
 

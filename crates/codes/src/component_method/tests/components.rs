@@ -8,7 +8,8 @@ use crate::component_method::stiffness::{self, Joins};
 use crate::component_method::t_stub::{Mode, Prying, Resistance, TStub, prying};
 use crate::component_method::{assess, beam as beam_method, effective_lengths as lengths};
 use crate::eurocode::i_section::Section;
-use crate::eurocode::section::{Class, plastic_shear};
+use crate::eurocode::section::Class;
+use crate::eurocode::yielding::plastic_shear;
 use std::f64::consts::PI;
 
 const STUB: TStub = TStub {

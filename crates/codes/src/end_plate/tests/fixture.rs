@@ -1,10 +1,10 @@
 //! Specs and look-ups that the tests of the end plate share.
 
 use crate::check::Check;
+use crate::design_code::build;
 use crate::end_plate::{HandChecks, hand_checks};
 use bracket_base::diag::Diagnostics;
 use bracket_base::yaml;
-use bracket_joint::assembly::build;
 use bracket_joint::catalog::Catalog;
 use bracket_joint::spec::ConnectionSpec;
 use std::path::Path;

@@ -152,7 +152,7 @@ fn table_3_2_wrong_categories_and_states_are_reported() {
         let catalog =
             bracket_joint::catalog::Catalog::builtin().expect("the shipped catalogue is sound");
         let spec = parsed.unwrap_or_else(|faults| panic!("{faults:#?}"));
-        bracket_joint::assembly::build(&spec, std::path::Path::new("."), &catalog)
+        crate::design_code::build(&spec, std::path::Path::new("."), &catalog)
             .expect_err(text)
             .into_first()
     };

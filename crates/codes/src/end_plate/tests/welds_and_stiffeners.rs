@@ -2,9 +2,9 @@
 
 use super::fixture::{ONE, checks, find, joint, loaded, near, step, used, welded};
 use crate::check::{Check, Status};
+use crate::design_code::build;
 use crate::end_plate::{HandChecks, WeldItem, welds_list};
 use bracket_base::yaml;
-use bracket_joint::assembly::build;
 use bracket_joint::catalog::Catalog;
 use bracket_joint::spec::ConnectionSpec;
 use std::path::Path;

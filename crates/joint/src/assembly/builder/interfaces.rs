@@ -49,8 +49,7 @@ impl Context<'_> {
                 }
                 let steels = [self.steel_of(at, &between[0])?, self.steel_of(at, &between[1])?];
                 let weaker = steels[0].weaker(&steels[1]);
-                let gamma_m2 = self.inputs.partial_factors().gamma_m2;
-                let Some(strength) = weaker.weld_strength(gamma_m2) else {
+                let Some(steel) = weaker.of_welds() else {
                     without.push(self.no_strength(w, &weaker.grade));
                     continue;
                 };
@@ -62,7 +61,7 @@ impl Context<'_> {
                     imprint: w.imprint,
                     throat,
                     thickness,
-                    strength,
+                    steel,
                 });
             }
         }

@@ -7,9 +7,9 @@ use crate::assembly::error::AssemblyError;
 use crate::assembly::evaluate::{entry_fault, identifier, within};
 use crate::assembly::part::{Hole, cuboid, perforated};
 use crate::assembly::scope::Scope;
-use crate::assembly::strength::Strength;
 use crate::assembly::template::{MidEntry, PartEntry, RoleEntry};
 use crate::spec::expr::ExprError;
+use crate::strength::Strength;
 use std::collections::BTreeMap;
 
 impl Context<'_> {

@@ -1,0 +1,75 @@
+//! A design code with its partial factors.
+
+use crate::eurocode::bolts::shank_strength;
+use crate::eurocode::welds::shear_strength;
+use crate::eurocode::yielding::yield_strength;
+use bracket_joint::assembly::{Assembly, Joint};
+use bracket_joint::spec::code::PartialFactors;
+use bracket_joint::strength::{
+    BoltShank, Design, DesignStrengths, Nominal, NominalStrength, WeldSteel,
+};
+
+/// A design code with its partial factors: the primitives that the analyses and the checks share.
+///
+/// It is a closed enum and no trait: the spec names its code when the program runs, all codes are
+/// known here, and a `match` without a default shows every place that a new code must fill. The
+/// clauses themselves are functions in a room of their code ([`crate::eurocode`]), which the checks
+/// call as well, so that each formula stands once.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum DesignCode {
+    /// EN 1993-1-1:2005 and EN 1993-1-8:2005.
+    En1993_2005(PartialFactors),
+}
+
+impl DesignCode {
+    /// The code by which a joint was built.
+    pub fn of(joint: &Joint) -> Self {
+        Self::En1993_2005(joint.factors)
+    }
+
+    /// Design yield strength of rolled steel.
+    pub fn yield_strength(&self, fy: Nominal) -> Design {
+        match self {
+            Self::En1993_2005(f) => yield_strength(fy, f.gamma_m0),
+        }
+    }
+
+    /// Design yield strength of a bolt's shank: the design tension resistance over the area of the
+    /// shank.
+    pub fn shank_strength(&self, bolt: &BoltShank) -> Design {
+        match self {
+            Self::En1993_2005(f) => shank_strength(bolt, f.gamma_m2),
+        }
+    }
+
+    /// Design shear strength of a fillet weld on its throat.
+    pub fn weld_strength(&self, steel: &WeldSteel) -> Design {
+        match self {
+            Self::En1993_2005(f) => shear_strength(steel, f.gamma_m2),
+        }
+    }
+
+    /// Design yield strength of a material; `None` if it does not yield.
+    pub fn strength(&self, nominal: &NominalStrength) -> Option<Design> {
+        match nominal {
+            NominalStrength::Unlimited => None,
+            NominalStrength::Steel(fy) => Some(self.yield_strength(*fy)),
+            NominalStrength::Bolt(bolt) => Some(self.shank_strength(bolt)),
+        }
+    }
+
+    /// Design strengths of all materials and welds of an assembly.
+    pub fn strengths(&self, assembly: &Assembly) -> DesignStrengths {
+        let materials = assembly.materials.iter();
+        let welds = assembly.welds.iter();
+        DesignStrengths {
+            materials: materials.map(|(n, m)| (n.clone(), self.strength(&m.strength))).collect(),
+            welds: welds.map(|w| (w.name.clone(), self.weld_strength(&w.steel))).collect(),
+        }
+    }
+}
+
+/// Design strengths of a joint by the code by which it was built.
+pub fn design_strengths(joint: &Joint) -> DesignStrengths {
+    DesignCode::of(joint).strengths(&joint.assembly)
+}
