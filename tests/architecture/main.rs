@@ -47,6 +47,8 @@ const HOUSES: [House; 6] = [
         folder: "crates/codes/",
         package: "bracket-codes",
         rooms: &[
+            "unit",
+            "formula",
             "check",
             "worked",
             "verdict",

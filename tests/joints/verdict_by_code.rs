@@ -264,8 +264,7 @@ fn a_bracket_does_not_stand_for_checks_that_are_missing() {
         let (j, all) = verdict(hand, Verdict::Ok);
         assert_eq!(j.verdict, Verdict::Undecided, "{words}: {}", j.reason);
         let stated = all.iter().any(|c| {
-            c.status == Status::Undecided
-                && (c.title.contains(words) || c.formula().contains(words))
+            c.status == Status::Undecided && format!("{} {}", c.title, c.formula()).contains(words)
         });
         assert!(stated, "{words}");
     };
@@ -436,9 +435,8 @@ fn four_bolts_in_a_row_are_listed_and_the_inner_two_are_checked() {
     assert_eq!(four.comparisons[0].resistance, two.comparisons[0].resistance);
     // e2 = (290 − 220)/2 = 35 mm of the outer bolts, p2 = 55 mm to the inner ones
     let length = |h: &HandChecks, symbol: &str| {
-        let of = |c: &&Check| {
-            c.subject == "end plate" && c.formula().starts_with(&format!("{symbol} = "))
-        };
+        let begin = format!("{symbol} = ");
+        let of = |c: &&Check| c.subject == "end plate" && c.formula().starts_with(&begin);
         h.checks.iter().find(of).and_then(|c| c.resistance)
     };
     assert_eq!((length(&four, "e2"), length(&four, "p2")), (Some(35.0), Some(55.0)));

@@ -61,6 +61,13 @@ impl Formula {
     }
 }
 
+/// The right-hand side of a formula, to be written out in another one.
+impl From<&Formula> for Traced {
+    fn from(of: &Formula) -> Self {
+        Traced::new(of.value, of.term.clone())
+    }
+}
+
 fn text_of(runs: &[Run]) -> String {
     runs.iter().map(Run::text).collect()
 }

@@ -5,7 +5,7 @@
 //! very operations that gave its value: with symbols, with numbers, or as a tree for fractions.
 //!
 //! ```
-//! use bracket_codes::check::Unit;
+//! use bracket_codes::Unit;
 //! use bracket_codes::formula::{Formula, Number, Traced};
 //!
 //! /// `F_p,C = 0.7 f_ub A_s` \[N\], EN 1993-1-8:2005 3.9.1(2).

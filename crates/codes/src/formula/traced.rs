@@ -1,6 +1,5 @@
 //! A number that records its formula.
 
-use super::derivation::Formula;
 use super::number::Number;
 use super::term::Term;
 use crate::unit::Unit;
@@ -19,7 +18,8 @@ pub struct Traced {
 }
 
 impl Traced {
-    fn new(value: f64, term: Term) -> Self {
+    /// A term with its value.
+    pub(super) fn new(value: f64, term: Term) -> Self {
         Self { value, term: Arc::new(term), definition: None }
     }
 
@@ -89,13 +89,6 @@ impl Traced {
 impl From<f64> for Traced {
     fn from(value: f64) -> Self {
         Self::new(value, Term::Constant(value))
-    }
-}
-
-/// The right-hand side of a formula, to be written out in another one.
-impl From<&Formula> for Traced {
-    fn from(of: &Formula) -> Self {
-        Self::new(of.value, of.term.clone())
     }
 }
 
