@@ -5,6 +5,9 @@
 //! that shares nothing with the solver. The modules are the steps of the work, in the order of the
 //! data flow (see `ARCHITECTURE.md`).
 //!
+//! [`check`] gives the checks of a spec by code, [`run`] its bounds and verdict, both without files
+//! and prints. The commands are made of them.
+//!
 //! Units everywhere: mm, N, MPa, N mm, rad. Symmetric tensors in Mandel form
 //! `[xx, yy, zz, √2 yz, √2 xz, √2 xy]`.
 
