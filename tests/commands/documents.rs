@@ -86,7 +86,7 @@ fn renamed(attributes: &str) -> Option<String> {
     rest.split('"').next().map(str::to_owned)
 }
 
-/// Public types of a source file that derive `Serialize` and `Deserialize`, by name. The parser
+/// Types of a source file that derive `Serialize` and `Deserialize`, by name. The parser
 /// expects the format of rustfmt: one field or variant per line and the closing brace in the first
 /// column.
 fn written(file: &str, source: &str, found: &mut BTreeMap<String, Vec<Written>>) {
@@ -97,12 +97,17 @@ fn written(file: &str, source: &str, found: &mut BTreeMap<String, Vec<Written>>)
             derives.push_str(line);
             continue;
         }
-        let head = line.strip_prefix("pub struct ").or_else(|| line.strip_prefix("pub enum "));
+        let line = line.strip_prefix("pub ").unwrap_or(line);
+        let of_struct = line.strip_prefix("struct ");
+        let head = of_struct.or_else(|| line.strip_prefix("enum "));
         let serde = derives.contains("Serialize") && derives.contains("Deserialize");
         let container = std::mem::take(&mut derives);
         let Some(head) = head.filter(|h| serde && h.ends_with('{')) else { continue };
         let name: String = head.chars().take_while(|c| c.is_alphanumeric()).collect();
         let mut entry = Written { file: file.to_owned(), ..Written::default() };
+        // serde writes another type in its place
+        let (_, other) = container.split_once("into = \"").unwrap_or_default();
+        entry.types.extend(other.split('"').next().filter(|t| !t.is_empty()).map(str::to_owned));
         let mut attributes = String::new();
         for line in lines.by_ref().take_while(|line| *line != "}") {
             let line = line.trim();
@@ -117,10 +122,10 @@ fn written(file: &str, source: &str, found: &mut BTreeMap<String, Vec<Written>>)
             let letters = line.trim_start_matches("pub ").chars();
             let word: String = letters.take_while(|c| c.is_alphanumeric() || *c == '_').collect();
             let skipped = attributes.contains("serde(skip)");
-            if word.is_empty() || skipped {
+            if word.is_empty() || skipped || !other.is_empty() {
                 continue;
             }
-            let is_field = line.starts_with("pub ");
+            let is_field = of_struct.is_some();
             let plain = if is_field { word } else { snake(&word) };
             let rest = line.split_once(if is_field { ": " } else { "(" }).map_or("", |(_, t)| t);
             // serde writes only the contents of the variants of an untagged enum

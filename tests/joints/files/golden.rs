@@ -3,7 +3,7 @@
 //! After an intended change, run this and read the difference:
 //! `BRACKET_UPDATE_GOLDEN=1 cargo test --release --test joints golden`.
 
-use bracket::checks::formula::Traced;
+use bracket::checks::formula::{Number, Traced};
 use bracket::checks::{Check, Judgement, Status, Topic, Unit, Worked};
 use bracket::model::AnalysisKind;
 use bracket::report::markdown::compose::report_markdown;
@@ -133,7 +133,7 @@ fn checks() -> Vec<Check> {
             plate,
             table("exposed steel"),
             "p1",
-            Traced::from(200.0),
+            (Traced::from(14.0) * Traced::length("t", 15.0)).min(Traced::from(200.0)),
             235.0,
             Status::Warning,
         ),

@@ -73,7 +73,7 @@ fn a_corner_column_carries_the_moment_of_the_node() {
         .iter()
         .find(|c| c["title"].as_str().is_some_and(|t| t.contains("by equilibrium of the node")))
         .expect("the panel");
-    assert!(panel["formula"].as_str().is_some_and(|f| f.contains("+ 25 kN")), "{panel}");
+    assert!(panel["formula"].as_str().is_some_and(|f| f.contains("− (-50 kN/2)|")), "{panel}");
 }
 
 /// Where the column continues both ways and nothing is given, its share is not known.

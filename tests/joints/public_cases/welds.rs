@@ -26,7 +26,8 @@ fn a_flange_weld_that_the_simplified_method_refuses_holds_by_the_directional_one
     near(weld, "resistance", 2954.0);
     near(weld, "utilisation", 0.8723);
     let formula = weld["formula"].as_str().unwrap_or_default();
-    for words in ["2412", "(4.5.3.3)", "2954", "(4.5.3.2)", "l_eff = 2 b − t_w − 2 r − 2√2 a"]
+    for words in
+        ["4.5.3.3: F_w,Rd", "2412", "4.5.3.2: F_w,Rd", "2954", "l_eff = 2 b − t_w − 2 r − 2 √2 a"]
     {
         assert!(formula.contains(words), "{words}: {formula}");
     }

@@ -68,12 +68,18 @@ impl Part {
 
     /// The pieces to the right of a sign, in brackets if they begin with a sign of their own.
     fn right_of_sign(self, least: Strength) -> Vec<Run> {
-        let signed = match self.runs.first() {
+        let signed = self.is_signed();
+        self.within(if signed { Strength::Atom } else { least })
+    }
+
+    /// Whether the pieces begin with a sign.
+    fn is_signed(&self) -> bool {
+        match self.runs.first() {
             Some(Run::Number(text)) => text.starts_with('-'),
             Some(Run::Text(text)) => text == "−",
+            Some(Run::Fraction(top, _)) => top.is_signed(),
             _ => false,
-        };
-        self.within(if signed { Strength::Atom } else { least })
+        }
     }
 
     /// The pieces on one line; a fraction is written with a stroke.

@@ -44,6 +44,7 @@ fn brackets_stand_where_a_reader_needs_them() {
         (n(1.0) / a(), "1/a", "1/1"),
         (a() * length("d", -4.0), "a d", "1 · (-4)"),
         (a() - length("d", -4.0), "a − d", "1 − (-4)"),
+        (a() - length("d", -4.0) / b(), "a − d/b", "1 − (-4/2)"),
         (Traced::series([a() * b(), a() * c()]), "Σ a b", "1 · 2 + 1 · 3"),
     ] {
         assert_eq!(printed(term), (symbols.to_owned(), numbers.to_owned()));
