@@ -3,6 +3,7 @@
 pub mod assembly;
 pub mod beam;
 pub mod column_web;
+pub mod component_kind;
 pub mod compressed_zone;
 pub mod effective_lengths;
 pub mod equilibrium;
@@ -19,7 +20,8 @@ pub const INITIAL_STIFFNESS: &str = "initial rotational stiffness";
 /// Title of the check with S_j,ini/η.
 pub const ELASTIC_STIFFNESS: &str = "rotational stiffness for elastic analysis";
 
-pub use assembly::{Assessment, Summed, assess};
+pub use assembly::{Assessment, assess};
+pub use component_kind::{ComponentKind, ElasticRule, LimitedBy, Summed};
 pub use equilibrium::Equilibrium;
 pub use joint::EndPlateJoint;
 pub use stability::Stability;

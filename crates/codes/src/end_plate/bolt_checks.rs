@@ -8,6 +8,7 @@ use crate::eurocode::bearing::{Along, Hole};
 use crate::eurocode::bolts::{long_joint, shear_resistance, tension_resistance};
 use crate::eurocode::punching::{mean_diameter, punching_resistance};
 use crate::formula::Traced;
+use crate::subject::Part;
 use crate::worked::Worked;
 use bracket_joint::assembly::{EndPlate, Way};
 
@@ -32,7 +33,7 @@ fn positions(e: &EndPlate, plate: &ClampedPlate, z: f64, force: f64) -> Vec<Alon
     let rows = from_top(e);
     let (highest, lowest) = (rows.first() == Some(&z), rows.last() == Some(&z));
     let mut out: Vec<Along> = pitches(e).map(|[p1, _]| Along::Inner { p1 }).into_iter().collect();
-    let e1 = match e.column.as_ref().filter(|_| plate.name != "end plate") {
+    let e1 = match e.column.as_ref().filter(|_| plate.part != Part::EndPlate) {
         None => (highest || lowest).then(|| (e.top - z).min(z - e.bottom)),
         Some(c) => {
             let towards = |way| Way::of(force).is_none_or(|w| w == way);
@@ -135,13 +136,13 @@ pub(super) fn resistances(e: &EndPlate) -> Vec<Check> {
     for plate in clamped_plates(e) {
         out.push(
             punching_resistance(mean_diameter(b), plate.thickness, plate.fu, gamma)
-                .information(Topic::Bolts, plate.name),
+                .information(Topic::Bolts, plate.part.words()),
         );
         if !known {
             continue;
         }
         let at = |along, words: &str| {
-            let subject = format!("{}, {words}, vertical force", plate.name);
+            let subject = format!("{}, {words}, vertical force", plate.part.words());
             bearing(e, along, &plate, hole).information(Topic::Bolts, subject)
         };
         let positions = e.rows.iter().flat_map(|z| positions(e, &plate, *z, 0.0));

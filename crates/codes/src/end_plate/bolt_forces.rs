@@ -17,6 +17,7 @@ use crate::eurocode::bolts::{shear_resistance, tension_resistance};
 use crate::eurocode::interaction::{self, Forces};
 use crate::eurocode::punching::{mean_diameter, punching_resistance};
 use crate::formula::{Derivation, Number, Traced};
+use crate::subject::Part;
 use crate::worked::Worked;
 use bracket_joint::assembly::{EndPlate, Way};
 
@@ -161,7 +162,7 @@ impl<'a> BoltForces<'a> {
             out.extend(self.block_tearing(&plate));
             if across != 0.0 {
                 out.extend(self.bearing_across(&plate));
-                let place = format!("{}, {}", plate.name, self.end);
+                let place = format!("{}, {}", plate.part.words(), self.end);
                 let block = block_across(self.e, &plate);
                 out.push(block.against(Topic::Bolts, place, across.abs(), Status::Failed));
             }
@@ -230,7 +231,7 @@ impl<'a> BoltForces<'a> {
             pair.into_iter().filter_map(of).collect::<Vec<_>>()
         });
         let (row, force, worked) = largest(each, |(_, force, worked)| force / worked.value)?;
-        let place = format!("{}, {}", plate.name, self.place(row));
+        let place = format!("{}, {}", plate.part.words(), self.place(row));
         Some(worked.against(Topic::Bolts, place, force, Status::Failed))
     }
 
@@ -243,7 +244,7 @@ impl<'a> BoltForces<'a> {
             (row, force, bearing_across(self.e, plate, hole, row.z))
         });
         let (row, force, worked) = largest(each, |(_, force, worked)| force / worked.value)?;
-        let place = format!("{}, {}", plate.name, self.place(row));
+        let place = format!("{}, {}", plate.part.words(), self.place(row));
         Some(worked.against(Topic::Bolts, place, force, Status::Failed))
     }
 
@@ -255,7 +256,7 @@ impl<'a> BoltForces<'a> {
         let on_column = Way::of(self.force[1])?;
         let (first, last) = (self.rows.first()?.z, self.rows.last()?.z);
         let farthest = |way| if way == Way::Up { last } else { first };
-        let whole = match e.column.as_ref().filter(|_| plate.name != "end plate") {
+        let whole = match e.column.as_ref().filter(|_| plate.part != Part::EndPlate) {
             Some(c) => c.ends().from(farthest(on_column), on_column)?,
             // the bolts press the end plate against the force of the beam
             None if on_column == Way::Down => e.top - farthest(Way::Up),
@@ -270,7 +271,7 @@ impl<'a> BoltForces<'a> {
             fu: plate.fu,
         };
         let worked = blocks.resistance(e.factors.gamma_m0, e.factors.gamma_m2);
-        let place = format!("{}, {}", plate.name, self.end);
+        let place = format!("{}, {}", plate.part.words(), self.end);
         Some(worked.against(Topic::Bolts, place, self.force[1].abs(), Status::Failed))
     }
 
@@ -284,7 +285,7 @@ impl<'a> BoltForces<'a> {
             e.factors.gamma_m2,
         );
         let worked = self.note_cap(worked, row.tension);
-        let place = format!("{}, {}", plate.name, self.capped_place(row));
+        let place = format!("{}, {}", plate.part.words(), self.capped_place(row));
         Some(worked.against(Topic::Bolts, place, self.capped(row.tension), Status::Failed))
     }
 }

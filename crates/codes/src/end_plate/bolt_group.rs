@@ -9,6 +9,7 @@ use super::clamped_plates::ClampedPlate;
 use crate::check::{Check, Topic, Unit, number as n};
 use crate::eurocode::bearing::{Along, Hole};
 use crate::eurocode::block_tearing::Blocks;
+use crate::subject::Part;
 use crate::worked::Worked;
 use bracket_joint::assembly::{EndPlate, Way};
 
@@ -66,7 +67,7 @@ pub(super) fn assumption(bolts: &[GroupBolt], place: &str, vy: f64) -> Check {
 /// Distance of a row at `z` from the nearer end of a plate, above or below \[mm\]; infinite where
 /// it goes on.
 fn end_distance(e: &EndPlate, plate: &ClampedPlate, z: f64) -> f64 {
-    match e.column.as_ref().filter(|_| plate.name != "end plate") {
+    match e.column.as_ref().filter(|_| plate.part != Part::EndPlate) {
         None => (e.top - z).min(z - e.bottom),
         Some(c) => {
             let ends = [Way::Up, Way::Down].into_iter().filter_map(|way| c.ends().from(z, way));

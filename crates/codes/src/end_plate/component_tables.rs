@@ -9,9 +9,10 @@ use super::rotation_rules::SenseLimits;
 use super::sense::{self, Sense};
 use super::weld_checks;
 use crate::check::{Check, Status, Topic, Unit, number as n};
+use crate::component_method::assembly::RowForce;
 use crate::component_method::rows::Component;
 use crate::component_method::stiffness::{Joins, for_elastic_analysis};
-use crate::component_method::{Assessment, assess};
+use crate::component_method::{Assessment, LimitedBy, assess};
 use crate::ductility::panel_in_shear;
 use crate::eurocode::i_section::Section;
 use crate::formula::{Derivation, Number, Traced};
@@ -84,21 +85,17 @@ fn tables(e: &EndPlate, subject: &str, sense: Sense, a: &Assessment) -> Vec<Chec
     for (r, row) in a.rows.iter().enumerate() {
         let row_subject = format!("{subject}, row {} at z = {} mm", r + 1, n(sense.z(row.z)));
         // the formula shows the numbers of the component that limits the row
-        let name = row.limited_by.split(',').next().unwrap_or_default();
-        let of = |c: &&Component| c.name == name;
+        let of = |c: &&Component| row.limited_by.component() == Some(c.kind);
         let groups = row.groups.iter().map(|g| &g.component);
-        let shown = if row.limited_by.contains("rows") {
-            groups.rev().find(of)
-        } else {
-            row.alone.iter().find(of)
-        };
+        let grouped = matches!(row.limited_by, LimitedBy::Group { .. });
+        let shown = if grouped { groups.rev().find(of) } else { row.alone.iter().find(of) };
         let before = Derivation::from(format!("F_tr,Rd, limited by {}", row.limited_by));
         let before = match shown {
-            Some(c) if row.limited_by.contains("rows") => {
+            Some(c) if grouped => {
                 before.followed_by(c.worked.derivation.clone()).then("less the rows above")
             }
             Some(c) => before.followed_by(c.worked.derivation.clone()),
-            None if of_sum(a, r) => before.then("what is left of the sum"),
+            None if of_sum(row) => before.then("what is left of the sum"),
             None => before,
         };
         let mut force = Worked::of(
@@ -111,7 +108,7 @@ fn tables(e: &EndPlate, subject: &str, sense: Sense, a: &Assessment) -> Vec<Chec
         .after(before)
         .with("h_r", row.lever, Unit::Length);
         for c in &row.alone {
-            force = force.with(&format!("{} alone", c.name), c.worked.value, Unit::Force);
+            force = force.with(&format!("{} alone", c.kind.words()), c.worked.value, Unit::Force);
         }
         force = force.with("after groups", row.grouped, Unit::Force);
         // m, n, effective lengths and modes of that component
@@ -134,8 +131,8 @@ fn tables(e: &EndPlate, subject: &str, sense: Sense, a: &Assessment) -> Vec<Chec
 }
 
 /// Whether a row has what the components in compression and shear leave of the sum.
-fn of_sum(a: &Assessment, r: usize) -> bool {
-    a.limits.iter().any(|l| l.worked.title == a.rows[r].limited_by)
+fn of_sum(row: &RowForce) -> bool {
+    matches!(row.limited_by, LimitedBy::Sum(..))
 }
 
 /// The force of a row by the formula of what limits it; a symbol of its own where several limits
@@ -149,7 +146,7 @@ fn row_force(a: &Assessment, r: usize, shown: Option<&Component>) -> Traced {
     let found = match (alone, group) {
         (Some(all), Some(g)) => (g.first..r).map(grouped).reduce(|a, b| a + b).map(|sum| all - sum),
         (Some(alone), None) => Some(alone),
-        (None, _) if !of_sum(a, r) => {
+        (None, _) if !of_sum(row) => {
             let h = Traced::length("h_r", row.lever);
             let of = |x: usize| {
                 let lever = Traced::length(format!("h_{}", x + 1), a.rows[x].lever);

@@ -2,8 +2,9 @@
 
 use super::clamped_plates::clamped;
 use crate::check::{Check, Status, Topic};
-use crate::ductility::plastic_distribution;
+use crate::ductility::{Clamped, plastic_distribution};
 use crate::formula::{Number, Traced};
+use crate::subject::Part;
 use bracket_joint::assembly::EndPlate;
 use bracket_joint::spec::code::FySource;
 
@@ -32,7 +33,8 @@ pub(super) fn is_uk(e: &EndPlate) -> bool {
 /// # Source
 /// UK National Annex to BS EN 1993-1-8, NA.2.7; SCI P398, 2.
 pub(super) fn triangular(e: &EndPlate) -> bool {
-    let holds = |(part, c)| plastic_distribution(part, &c).status == Status::Ok;
+    let holds =
+        |(part, c): (Part, Clamped)| plastic_distribution(part.words(), &c).status == Status::Ok;
     is_uk(e) && !clamped(e).any(holds)
 }
 

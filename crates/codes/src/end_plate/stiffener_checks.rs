@@ -13,7 +13,7 @@ use super::welded_steel;
 use crate::check::{Check, Status, Topic, Unit, largest, within};
 use crate::component_method::assembly::Group;
 use crate::component_method::column_web::compressed_thickness;
-use crate::component_method::{Assessment, Summed, assess};
+use crate::component_method::{Assessment, ComponentKind, Summed, assess};
 use crate::eurocode::welds::{LineForce, either_method, full_strength_throat, least_size};
 use crate::formula::{Derivation, Formula, Number, Traced};
 use crate::worked::Worked;
@@ -149,9 +149,9 @@ fn tension(
     let near: Vec<usize> = above.into_iter().chain(below).collect();
     let (first, last) = (*near.first()?, *near.last()?);
     let web = if first == last {
-        bare.rows.get(last)?.alone.iter().find(|k| k.name == "column web")?
+        bare.rows.get(last)?.alone.iter().find(|k| k.kind == ComponentKind::ColumnWeb)?
     } else {
-        let of = |g: &&Group| g.first == first && g.component.name == "column web";
+        let of = |g: &&Group| g.first == first && g.component.kind == ComponentKind::ColumnWeb;
         &bare.rows.get(last)?.groups.iter().find(of)?.component
     };
     let m = 0.5 * (e.gauge - c.section.tw) - HINGE * c.section.r;

@@ -9,7 +9,7 @@ use super::sense::Sense;
 use super::weld_lengths;
 use super::welded_steel;
 use crate::check::{Check, Status, Topic, Unit, largest, number as n, within};
-use crate::component_method::Assessment;
+use crate::component_method::{Assessment, ComponentKind};
 use crate::eurocode::welds::{
     ThroatStress, WeldedSteel, directional, full_strength_throat, least_size,
 };
@@ -55,7 +55,7 @@ fn stretches(a: &Assessment, run: f64) -> Vec<Stretch> {
     for (last, row) in a.rows.iter().enumerate() {
         let alone = row.alone.iter().map(|c| (last, c));
         let all = alone.chain(row.groups.iter().map(|g| (g.first, &g.component)));
-        let web = all.filter(|(_, c)| c.name == "beam web");
+        let web = all.filter(|(_, c)| c.kind == ComponentKind::BeamWeb);
         out.extend(web.filter_map(|(first, c)| {
             Some(Stretch { first, last, width: c.worked.step("b_eff")?.min(run) })
         }));

@@ -1,0 +1,5 @@
+//! What a check is about.
+
+mod part;
+
+pub use part::Part;
