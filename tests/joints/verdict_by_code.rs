@@ -7,7 +7,9 @@ use bracket::assembly::Joint;
 use bracket::catalog::{Catalog, IProfile};
 use bracket::checks::design_code::build;
 use bracket::checks::verdict::{Route, Verdict};
-use bracket::checks::{Analysed, Check, HandChecks, Judgement, Status, Topic, hand_checks, judge};
+use bracket::checks::{
+    Analysed, Binding, Check, HandChecks, Judgement, Status, hand_checks, judge,
+};
 use bracket::spec::connection::ConnectionSpec;
 use bracket::yaml;
 use std::path::Path;

@@ -39,15 +39,27 @@ pub enum Topic {
     Welds,
     /// The beam's cross-section and the column's stiffeners at the joint.
     Member,
-    /// Component method of EN 1993-1-8 section 6: strength, which a limit analysis of the same case
-    /// determines as well.
+    /// Component method of EN 1993-1-8 section 6.
     ComponentMethod,
-    /// Buckling and slenderness, which no limit analysis models.
+    /// Buckling and slenderness.
     Stability,
     /// Stiffness of the component method.
     Stiffness,
     /// Rotation capacity.
     Ductility,
+}
+
+/// What a check can decide.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Binding {
+    /// Strength that a limit analysis of the same case determines as well, and stands in for.
+    Strength,
+    /// What a limit analysis does not know: single bolts and welds, sections, stability, detailing,
+    /// and what the code leaves open.
+    Beside,
+    /// Nothing: a value or a remark without a demand.
+    Information,
 }
 
 /// Result of a check.
@@ -101,6 +113,8 @@ pub struct Check {
     pub unit: Unit,
     /// Result.
     pub status: Status,
+    /// What it can decide.
+    pub binding: Binding,
     /// True for a recommendation, which decides nothing where it is not followed.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub advice: bool,
@@ -122,7 +136,7 @@ impl Check {
         step: &str,
     ) -> Self {
         let open = Self::assumption(topic, subject, clause, title, why);
-        Self { status: Status::Undecided, ..open }.decided_by(step)
+        Self { status: Status::Undecided, binding: Binding::Beside, ..open }.decided_by(step)
     }
 
     /// The check; if it is undecided, with what would decide it.
@@ -171,6 +185,7 @@ impl Check {
             utilisation: None,
             unit: Unit::Number,
             status: Status::Information,
+            binding: Binding::Information,
             advice: false,
         }
     }
@@ -248,6 +263,7 @@ impl Check {
         // a utilisation needs a positive resistance
         self.utilisation = if resistance > 0.0 { number(demand / resistance) } else { None };
         self.advice = otherwise == Status::Warning;
+        self.binding = Binding::Beside;
         let finite = self.demand.is_some() && self.resistance.is_some();
         self.status = if finite && within(demand, resistance) { Status::Ok } else { otherwise };
         if !finite {
@@ -260,11 +276,17 @@ impl Check {
         self.unit == Unit::Length
     }
 
-    /// True for a utilisation that decides: of a strength, no kept length, no recommendation, no
-    /// rule of stiffness or rotation.
+    /// True for a utilisation that decides: of a strength, no kept length, no recommendation.
     pub fn measures_strength(&self) -> bool {
-        let decides = !matches!(self.topic, Topic::Stiffness | Topic::Ductility) && !self.advice;
+        let decides = self.binding != Binding::Information && !self.advice;
         decides && self.utilisation.is_some() && !self.is_limit()
+    }
+
+    /// The check as one of strength that a limit analysis determines as well.
+    #[must_use]
+    pub fn of_strength(mut self) -> Self {
+        self.binding = Binding::Strength;
+        self
     }
 
     /// The check with its load case.

@@ -1,6 +1,6 @@
 //! A value of the code with its derivation, and how it becomes a check.
 
-use super::check::{Check, Status, Step, Topic, Unit};
+use super::check::{Binding, Check, Status, Step, Topic, Unit};
 use super::formula::{Derivation, Formula, Line, Number, Traced};
 use std::borrow::Cow;
 
@@ -106,6 +106,7 @@ impl Worked {
             utilisation: None,
             unit: self.unit,
             status: Status::Information,
+            binding: Binding::Information,
             advice: false,
         }
     }

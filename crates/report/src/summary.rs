@@ -185,9 +185,7 @@ fn row(c: &Check) -> SummaryRow {
         (Unit::Number, None) => ["–".into(), "–".into()],
         _ => [show(c.demand), show(c.resistance)],
     };
-    let decides = matches!(c.status, Status::Ok | Status::Failed | Status::Undecided)
-        && !matches!(c.topic, Topic::Stiffness | Topic::Ductility)
-        && !c.advice;
+    let decides = matches!(c.status, Status::Ok | Status::Failed | Status::Undecided) && !c.advice;
     let (status, tone) = match (c.status, c.utilisation) {
         (Status::Failed, _) => ("FAILED", Tone::Bad),
         (Status::Undecided, _) => ("UNDECIDED", Tone::Open),

@@ -203,7 +203,7 @@ impl<'a> BoltForces<'a> {
             worked = worked.with("2 F_t,Ed/F_tr,Ed", prying, Unit::Number);
         }
         let topic = Topic::ComponentMethod;
-        Some(worked.against(topic, self.place(row), row.tension, Status::Failed))
+        Some(worked.against(topic, self.place(row), row.tension, Status::Failed).of_strength())
     }
 
     /// Interaction of shear and tension, for each bolt on its own as Table 3.4 has it.

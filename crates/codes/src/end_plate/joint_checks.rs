@@ -15,13 +15,14 @@ pub(super) const MOMENT_AND_AXIAL: &str = "moment and axial force of the joint";
 
 /// Moment and axial force against the resistance of the joint.
 pub(super) fn moment_and_axial(loaded: &LoadedEnd<'_>) -> Check {
-    let (end, method) = (loaded.end, loaded.method);
+    let (end, method, topic) = (loaded.end, loaded.method, Topic::ComponentMethod);
     let Some(mut check) = method.share(end.a.at(1.0)) else {
         let (clause, title) = ("EN 1993-1-8:2005 6.2.7.1", MOMENT_AND_AXIAL);
         let why = "no plastic equilibrium of the rows with an axial force beyond 5 % of \
                    N_pl,Rd is covered";
         let step = "a smaller axial force, or rows that the equilibrium covers";
-        return Check::undecided(Topic::ComponentMethod, end.subject(), clause, title, why, step);
+        let open = Check::undecided(topic, end.subject(), clause, title, why, step);
+        return open.of_strength();
     };
     check = check.with("M_j,Rd", method.moment, Unit::Moment);
     if let Some(e) = &method.equilibrium {
@@ -35,7 +36,7 @@ pub(super) fn moment_and_axial(loaded: &LoadedEnd<'_>) -> Check {
     let (axial, my) = (at[0][0].abs(), at[1][1].abs());
     let bending = my / method.moment;
     let used = check.value;
-    let mut check = check.utilised(Topic::ComponentMethod, end.subject(), Status::Failed);
+    let mut check = check.utilised(topic, end.subject(), Status::Failed).of_strength();
     // a moment against the one that the joint carries beside the axial force; an axial force that
     // uses more of its own resistance stands in place of it
     let alone = used > bending && method.with_axial(at).is_none();
@@ -68,6 +69,7 @@ pub(super) fn left_out_axial(loaded: &LoadedEnd<'_>) -> Option<Check> {
     let worked = Worked::of("EN 1993-1-8:2005 6.2.7.1(2)", title, "1/α", together, Unit::Number)
         .after(before);
     let check = worked.utilised(Topic::ComponentMethod, end.subject(), Status::Warning);
+    let check = check.of_strength();
     (check.status == Status::Warning).then_some(check)
 }
 
@@ -130,5 +132,6 @@ pub(super) fn panel(end: &MemberEnd<'_>) -> Option<Check> {
     let mut check = resistance.after(shear.derivation);
     check.title = shear.title;
     check.clause = "EN 1993-1-8:2005 5.3(3), 6.2.6.1";
-    Some(check.against(Topic::ComponentMethod, end.subject(), shear.demand, Status::Failed))
+    let (topic, of) = (Topic::ComponentMethod, end.subject());
+    Some(check.against(topic, of, shear.demand, Status::Failed).of_strength())
 }

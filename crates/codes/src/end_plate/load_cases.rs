@@ -50,7 +50,7 @@ pub(super) fn checks(e: &EndPlate, out: &mut HandChecks) {
                     fault.to_string(),
                     fault.step(),
                 );
-                out.checks.extend(ultimate.then(|| check.of_case(&a.case)));
+                out.checks.extend(ultimate.then(|| check.of_strength().of_case(&a.case)));
                 continue;
             }
         };
@@ -150,5 +150,5 @@ fn no_moment(end: &MemberEnd<'_>, moment: f64) -> Option<Check> {
     let area = Section::from(&e.beam).shear_area();
     let plastic = plastic_shear(area, e.beam_steel.fy.mpa(), e.factors.gamma_m0);
     let status = if within(vz.abs(), plastic) { Status::Failed } else { none.status };
-    Some(Check { status, ..none })
+    Some(Check { status, ..none }.of_strength())
 }

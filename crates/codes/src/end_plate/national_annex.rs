@@ -1,7 +1,7 @@
 //! What a national annex changes beside the partial factors, and a list of what is not covered.
 
 use super::clamped_plates::clamped;
-use crate::check::{Check, Status, Topic};
+use crate::check::{Binding, Check, Status, Topic};
 use crate::ductility::{Clamped, plastic_distribution};
 use crate::formula::{Number, Traced};
 use crate::subject::Part;
@@ -94,7 +94,7 @@ fn german(e: &EndPlate) -> Vec<Check> {
         let (clause, title) = ("DIN EN 1993-1-8/NA, NDP to 3.1.1(3)", "bolt class of the annex");
         let words = format!("bolts of class {} may not be used in Germany", e.grade.grade);
         let check = Check::assumption(Topic::Detailing, "bolts", clause, title, words);
-        out.push(Check { status: Status::Failed, ..check });
+        out.push(Check { status: Status::Failed, binding: Binding::Beside, ..check });
     }
     out.push(Check::assumption(
         Topic::Detailing,

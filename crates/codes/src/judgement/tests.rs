@@ -1,11 +1,14 @@
 use super::*;
-use crate::Unit;
 use crate::Worked;
 use crate::formula::Traced;
+use crate::{Topic, Unit};
 
 fn check(topic: Topic, value: f64, case: Option<&str>) -> Check {
     let c = Worked::of("6.2", "share", "u", Traced::from(value), Unit::Number);
-    let c = c.utilised(topic, "row", Status::Failed);
+    let mut c = c.utilised(topic, "row", Status::Failed);
+    if topic == Topic::ComponentMethod {
+        c = c.of_strength();
+    }
     Check { case: case.map(Into::into), ..c }
 }
 
@@ -149,6 +152,7 @@ fn no_bracket_overrules_what_limit_analysis_does_not_know() {
     // a bracket does not replace the checks of a joint that the component method does not cover
     let missing =
         Check::undecided(Topic::ComponentMethod, "rows", "Table 6.6", "rows", "two outside", "one")
+            .of_strength()
             .of_case("A");
     assert_eq!(verdicts(&[missing], &[], Fine), [Undecided, Undecided, Fine]);
     // a distance that is too small fails without a load

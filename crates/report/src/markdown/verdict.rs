@@ -6,7 +6,7 @@ use crate::markdown::report_data::Table;
 use crate::result::result_file::ResultFile;
 use crate::summary::{EXCEEDED, LIMIT_ANALYSIS, SummaryRow, summary_rows};
 use bracket_codes::verdict::{Route, Verdict};
-use bracket_codes::{Judgement, Status, Topic};
+use bracket_codes::{Binding, Judgement, Status};
 
 /// The verdict and its basis.
 pub(crate) fn verdict(page: &mut String, result: &ResultFile) {
@@ -86,7 +86,7 @@ pub(crate) fn next_step(result: &ResultFile) -> Option<&'static str> {
     };
     let fails_only_by_method = || {
         let mut failed = result.checks.iter().filter(|c| c.status == Status::Failed);
-        failed.all(|c| c.topic == Topic::ComponentMethod)
+        failed.all(|c| c.binding == Binding::Strength)
     };
     let narrower = j.by_analysis == Verdict::Undecided && fails_only_by_method() && ruled();
     Some(match narrower {
