@@ -1,5 +1,11 @@
 //! The record of one check: clause, formula with its numbers, demand, resistance, utilisation.
 
+mod check_id;
+mod title;
+
+pub use check_id::CheckId;
+pub use title::Title;
+
 use crate::formula::{Derivation, Formula, Line, Number, Relation, Traced};
 pub use crate::unit::{Unit, number};
 use bracket_base::units::limits;
@@ -92,8 +98,9 @@ pub struct Check {
     pub subject: String,
     /// Clause.
     pub clause: String,
-    /// Name of the check.
-    pub title: String,
+    /// What it checks.
+    #[serde(flatten)]
+    pub title: Title,
     /// The formula with its numbers.
     #[serde(flatten)]
     pub derivation: Derivation,
@@ -121,9 +128,14 @@ pub struct Check {
 }
 
 impl Check {
-    /// The check with a title and a subject.
-    pub fn find<'a>(checks: &'a [Check], title: &str, subject: &str) -> Option<&'a Check> {
-        checks.iter().find(|c| c.title == title && c.subject == subject)
+    /// What it checks.
+    pub fn id(&self) -> CheckId {
+        self.title.id
+    }
+
+    /// The check with an id and a subject.
+    pub fn find<'a>(checks: &'a [Check], id: CheckId, subject: &str) -> Option<&'a Check> {
+        checks.iter().find(|c| c.id() == id && c.subject == subject)
     }
 
     /// A check for which the code gives no resistance, with the reason, and what would decide it.
@@ -131,12 +143,19 @@ impl Check {
         topic: Topic,
         subject: impl Into<String>,
         clause: &str,
-        title: &str,
+        id: CheckId,
         why: impl Into<Derivation>,
         step: &str,
     ) -> Self {
-        let open = Self::assumption(topic, subject, clause, title, why);
+        let open = Self::assumption(topic, subject, clause, id, why);
         Self { status: Status::Undecided, binding: Binding::Beside, ..open }.decided_by(step)
+    }
+
+    /// The check with names of the user that belong to its title.
+    #[must_use]
+    pub fn naming(mut self, detail: String) -> Self {
+        self.title.detail = Some(detail);
+        self
     }
 
     /// The check; if it is undecided, with what would decide it.
@@ -169,7 +188,7 @@ impl Check {
         topic: Topic,
         subject: impl Into<String>,
         clause: &str,
-        title: &str,
+        id: CheckId,
         what: impl Into<Derivation>,
     ) -> Self {
         Self {
@@ -177,7 +196,7 @@ impl Check {
             case: None,
             subject: subject.into(),
             clause: clause.into(),
-            title: title.into(),
+            title: id.into(),
             derivation: what.into(),
             values: Vec::new(),
             demand: None,
@@ -194,7 +213,7 @@ impl Check {
     /// resistance the provided one. `otherwise` is the status where it is too small.
     pub fn at_least(
         of: (Topic, impl Into<String>),
-        what: (&str, &str),
+        what: (&str, CheckId),
         symbol: impl Into<Cow<'static, str>>,
         limit: impl Into<Traced>,
         provided: f64,
@@ -211,7 +230,7 @@ impl Check {
     /// the resistance the allowed one. `otherwise` is the status where it is too large.
     pub fn at_most(
         of: (Topic, impl Into<String>),
-        what: (&str, &str),
+        what: (&str, CheckId),
         symbol: impl Into<Cow<'static, str>>,
         limit: impl Into<Traced>,
         provided: f64,
@@ -238,7 +257,7 @@ impl Check {
 
     fn limit(
         (topic, subject): (Topic, impl Into<String>),
-        (clause, title): (&str, &str),
+        (clause, id): (&str, CheckId),
         (symbol, value, relation, limit): (Cow<'static, str>, f64, Relation, Traced),
         (demand, resistance): (f64, f64),
         otherwise: Status,
@@ -248,7 +267,7 @@ impl Check {
         let mut check = Self {
             unit: Unit::Length,
             status: Status::Ok,
-            ..Self::assumption(topic, subject, clause, title, formula)
+            ..Self::assumption(topic, subject, clause, id, formula)
         };
         check.judge(demand, resistance, otherwise);
         check
@@ -348,7 +367,7 @@ mod tests {
     #[test]
     fn a_limit_met_exactly_holds_and_one_missed_by_a_hair_does_not() {
         let check = |provided: f64| {
-            let (topic, what) = ((Topic::Detailing, "plate"), ("Table 3.3", "end distance"));
+            let (topic, what) = ((Topic::Detailing, "plate"), ("Table 3.3", CheckId::EndDistance));
             let rule = Traced::from(1.2) * Traced::symbol("d0", 20.0, Unit::Length);
             Check::at_least(topic, what, "e1", rule, provided, Status::Failed)
         };
@@ -361,7 +380,7 @@ mod tests {
             "{}",
             check(23.99).formula()
         );
-        let (topic, what) = ((Topic::Welds, "beam web"), ("4.5.2", "throat"));
+        let (topic, what) = ((Topic::Welds, "beam web"), ("4.5.2", CheckId::LeastThroat));
         let throat = Check::at_least(topic, what, "a", 3.0, 6.0, Status::Failed);
         assert_eq!(throat.formula(), "a = 6 mm ≥ 3 mm");
         assert_eq!(check(-3.0).utilisation, None, "no finite utilisation where nothing is there");

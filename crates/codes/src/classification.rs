@@ -1,6 +1,6 @@
 //! Classification of joints by stiffness and by strength: EN 1993-1-8:2005 5.2.
 
-use crate::check::within;
+use crate::check::{CheckId, within};
 use crate::formula::Traced;
 use crate::unit::Unit;
 use crate::worked::Worked;
@@ -69,10 +69,10 @@ pub fn stiffness_limits(
     let factor = if never { f64::INFINITY } else { frame.factor() };
     let rigid = Traced::number("k_b", factor) * unit.clone();
     let pinned = Traced::from(0.5) * unit;
-    let limit = |title, of| Worked::of(CLAUSE, title, "", of, Unit::Rotational);
+    let limit = |id, of| Worked::of(CLAUSE, id, "", of, Unit::Rotational);
     StiffnessLimits {
-        rigid: limit("limit of rigid joints", rigid),
-        pinned: limit("limit of nominally pinned joints", pinned),
+        rigid: limit(CheckId::RigidLimit, rigid),
+        pinned: limit(CheckId::PinnedLimit, pinned),
     }
 }
 

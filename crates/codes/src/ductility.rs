@@ -1,6 +1,6 @@
 //! Rotation capacity: EN 1993-1-8:2005 6.4.2 and the rule of UK practice.
 
-use crate::check::{Check, Status, Topic};
+use crate::check::{Check, CheckId, Status, Topic};
 use crate::eurocode::section::epsilon;
 use crate::formula::{Number, Traced};
 
@@ -26,9 +26,9 @@ pub struct Clamped {
 /// EN 1993-1-8:2005 6.4.2(2), formula 6.32.
 pub fn rotation_capacity(subject: &str, c: &Clamped) -> Check {
     let limit = Traced::from(0.36) * Traced::length("d", c.d) * strengths(c);
-    let title = ("EN 1993-1-8:2005 6.4.2(2)", "thickness for rotation capacity");
+    let what = ("EN 1993-1-8:2005 6.4.2(2)", CheckId::RotationCapacity);
     let of = (Topic::Ductility, subject);
-    Check::at_most(of, title, "t", limit, c.thickness, Status::Warning)
+    Check::at_most(of, what, "t", limit, c.thickness, Status::Warning)
 }
 
 /// √(f_ub/f_y).
@@ -44,9 +44,9 @@ fn strengths(c: &Clamped) -> Traced {
 /// UK National Annex to BS EN 1993-1-8, NA.2.7; SCI P398, 2.
 pub fn plastic_distribution(subject: &str, c: &Clamped) -> Check {
     let limit = Traced::length("d", c.d) / Traced::from(1.9) * strengths(c);
-    let title = ("UK NA to BS EN 1993-1-8, NA.2.7", "thickness for plastic forces of the rows");
+    let what = ("UK NA to BS EN 1993-1-8, NA.2.7", CheckId::PlasticRows);
     let of = (Topic::Ductility, subject);
-    Check::at_most(of, title, "t", limit, c.thickness, Status::Warning)
+    Check::at_most(of, what, "t", limit, c.thickness, Status::Warning)
 }
 
 /// Whether a web panel that governs in shear gives enough rotation, `d_c/t_w ≤ 69 ε`; a warning
@@ -55,10 +55,10 @@ pub fn plastic_distribution(subject: &str, c: &Clamped) -> Check {
 /// # Source
 /// EN 1993-1-8:2005 6.4.2(1).
 pub fn panel_in_shear(subject: &str, clear_depth: f64, web: f64, fy: f64) -> Check {
-    let title = ("EN 1993-1-8:2005 6.4.2(1)", "slenderness of the web panel");
+    let what = ("EN 1993-1-8:2005 6.4.2(1)", CheckId::PanelSlenderness);
     let limit = Traced::from(69.0) * Traced::number("ε", epsilon(fy));
     let of = (Topic::Ductility, subject);
-    Check::at_most(of, title, "d_c/t_w", limit, clear_depth / web, Status::Warning).of_numbers()
+    Check::at_most(of, what, "d_c/t_w", limit, clear_depth / web, Status::Warning).of_numbers()
 }
 
 #[cfg(test)]

@@ -21,7 +21,7 @@ pub mod verdict;
 pub mod whole_joint;
 pub mod worked;
 
-pub use check::{Binding, Check, Status, Step, Topic, Unit};
+pub use check::{Binding, Check, CheckId, Status, Step, Topic, Unit};
 pub use end_plate::{Comparison, HandChecks, JointStiffness, MomentAxial, PureMoment, hand_checks};
 pub use error::CheckError;
 pub use judgement::{Analysed, Governing, Judgement, judge};

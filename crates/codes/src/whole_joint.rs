@@ -3,7 +3,7 @@
 use super::check::{Check, Topic};
 use super::end_plate::{HandChecks, hand_checks};
 use super::worked::Worked;
-use crate::check::{Status, Unit};
+use crate::check::{CheckId, Status, Unit};
 use crate::formula::Traced;
 use bracket_joint::assembly::{Idle, Joint};
 
@@ -22,7 +22,7 @@ pub fn joint_checks(joint: &Joint) -> HandChecks {
 /// The check of a load case in which nothing acts. It always holds.
 fn nothing_acts(idle: &Idle) -> Check {
     let (clause, used) = ("EN 1990:2002 6.4.2(3)", Traced::from(0.0));
-    Worked::of(clause, "nothing acts", "E_d/R_d", used, Unit::Number)
+    Worked::of(clause, CheckId::NothingActs, "E_d/R_d", used, Unit::Number)
         .after("every action at the member ends is zero or neglected")
         .utilised(Topic::Member, "all member ends", Status::Failed)
         .of_case(&idle.case)

@@ -1,6 +1,6 @@
 //! A value of the code with its derivation, and how it becomes a check.
 
-use super::check::{Binding, Check, Status, Step, Topic, Unit};
+use super::check::{Binding, Check, CheckId, Status, Step, Topic, Unit};
 use super::formula::{Derivation, Formula, Line, Number, Traced};
 use std::borrow::Cow;
 
@@ -9,8 +9,8 @@ use std::borrow::Cow;
 pub struct Worked {
     /// Clause of the formula.
     pub clause: &'static str,
-    /// Name of the value.
-    pub title: &'static str,
+    /// What it is.
+    pub id: CheckId,
     /// The formula that gives it, and what stands before and behind it.
     pub derivation: Derivation,
     /// Intermediate values.
@@ -25,14 +25,14 @@ impl Worked {
     /// A value with its clause and its formula, `symbol` = `of`.
     pub fn of(
         clause: &'static str,
-        title: &'static str,
+        id: CheckId,
         symbol: impl Into<Cow<'static, str>>,
         of: Traced,
         unit: Unit,
     ) -> Self {
         let value = of.value();
         let derivation = Formula::new(symbol, of, unit).into();
-        Self { clause, title, derivation, steps: Vec::new(), value, unit }
+        Self { clause, id, derivation, steps: Vec::new(), value, unit }
     }
 
     /// Adds an intermediate value.
@@ -98,7 +98,7 @@ impl Worked {
             case: None,
             subject: subject.into(),
             clause: self.clause.into(),
-            title: self.title.into(),
+            title: self.id.into(),
             derivation: self.derivation,
             values: self.steps,
             demand: None,
@@ -141,13 +141,11 @@ mod tests {
 
     #[test]
     fn a_resistance_becomes_a_check() {
-        let worked = || {
-            Worked::of("3.6.1", "tension", "F", Traced::from(90e3), Unit::Force).with(
-                "k2",
-                0.9,
-                Unit::Number,
-            )
-        };
+        let worked =
+            || {
+                Worked::of("3.6.1", CheckId::BoltTension, "F", Traced::from(90e3), Unit::Force)
+                    .with("k2", 0.9, Unit::Number)
+            };
         let check = worked().against(Topic::Bolts, "row 1", 99e3, Status::Failed);
         assert_eq!((check.status, check.utilisation), (Status::Failed, Some(1.1)));
         assert_eq!(
@@ -158,8 +156,9 @@ mod tests {
             worked().against(Topic::Bolts, "row 1", 99e3, Status::Warning).status,
             Status::Warning
         );
-        let share =
-            |value: f64| Worked::of("6.2.7.1", "moment", "M", Traced::from(value), Unit::Number);
+        let share = |value: f64| {
+            Worked::of("6.2.7.1", CheckId::MomentAndAxial, "M", Traced::from(value), Unit::Number)
+        };
         assert_eq!(
             share(0.9).utilised(Topic::Bolts, "row 1", Status::Failed).utilisation,
             Some(0.9)

@@ -5,7 +5,7 @@ use crate::result::result_file::Quantity;
 use crate::result::result_file::{CaseResult, ResultFile};
 use bracket_codes::Governing;
 use bracket_codes::verdict::Verdict;
-use bracket_codes::{Check, Status, Topic, Unit};
+use bracket_codes::{Check, CheckId, Status, Topic, Unit};
 use serde::Serialize;
 
 /// Clause of the row of a bracket.
@@ -161,7 +161,13 @@ fn worst_limits(checks: &[Check]) -> Vec<&Check> {
     let used = |c: &Check| c.utilisation.unwrap_or(f64::INFINITY);
     // greatest distances bind only exposed or compressed steel, room for tools is practice
     let binds = |c: &&Check| match c.topic {
-        Topic::Detailing => c.clause.contains("Table 3.3") && !c.title.contains("exposed"),
+        Topic::Detailing => matches!(
+            c.id(),
+            CheckId::EndDistance
+                | CheckId::EdgeDistance
+                | CheckId::PitchOfRows
+                | CheckId::GaugeOfColumns
+        ),
         _ => c.topic == Topic::Welds,
     };
     let decides = |c: &&Check| matches!(c.status, Status::Ok | Status::Failed) && binds(c);

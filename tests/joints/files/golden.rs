@@ -4,7 +4,7 @@
 //! `BRACKET_UPDATE_GOLDEN=1 cargo test --release --test joints golden`.
 
 use bracket::checks::formula::Traced;
-use bracket::checks::{Check, Judgement, Status, Topic, Unit, Worked};
+use bracket::checks::{Check, CheckId, Judgement, Status, Topic, Unit, Worked};
 use bracket::model::AnalysisKind;
 use bracket::report::markdown::compose::report_markdown;
 use bracket::report::markdown::report_data::CatalogueRow;
@@ -120,18 +120,18 @@ fn checks() -> Vec<Check> {
     let force = Traced::number("k2", 0.9) * f_ub * a_s / Traced::number("γ_M2", 1.25);
     let tension = Worked::of(
         "EN 1993-1-8:2005 Table 3.4",
-        "tension resistance of a bolt",
+        CheckId::BoltTensionResistance,
         "F_t,Rd",
         force,
         Unit::Force,
     );
     let d0 = |factor: f64| Traced::from(factor) * Traced::length("d0", 20.0);
     vec![
-        Check::at_least(plate, table("edge distance"), "e2", d0(1.2), 22.0, Status::Failed),
-        Check::at_least(plate, table("pitch of the rows"), "p1", d0(2.2), 90.0, Status::Failed),
+        Check::at_least(plate, table(CheckId::EdgeDistance), "e2", d0(1.2), 22.0, Status::Failed),
+        Check::at_least(plate, table(CheckId::PitchOfRows), "p1", d0(2.2), 90.0, Status::Failed),
         Check::at_most(
             plate,
-            table("exposed steel"),
+            table(CheckId::PitchOfRowsExposed),
             "p1",
             Traced::from(200.0),
             235.0,

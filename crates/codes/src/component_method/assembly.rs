@@ -7,8 +7,8 @@ use super::joint::EndPlateJoint;
 use super::rows::{Component, Rows};
 use super::stability::{Stability, stability};
 use super::t_stub::Mode;
-use super::{MOMENT_RESISTANCE, beam, stiffness};
-use crate::check::{Unit, within};
+use super::{beam, stiffness};
+use crate::check::{CheckId, Unit, within};
 use crate::error::CheckError;
 use crate::formula::{Formula, Style, Traced};
 use crate::subject::Part;
@@ -167,7 +167,7 @@ pub fn assess(joint: &EndPlateJoint) -> Result<Assessment, CheckError> {
     let (mut left, mut least) = (f64::INFINITY, None);
     for l in &limits {
         if !within(left, l.worked.value) {
-            least = Some(LimitedBy::Sum(l.of, l.worked.title));
+            least = Some(LimitedBy::Sum(l.worked.id));
         }
         left = left.min(l.worked.value);
     }
@@ -254,8 +254,8 @@ impl Least {
 fn moment(rows: &[RowForce]) -> Worked {
     let of = |r: &RowForce| Traced::length("h_r", r.lever) * Traced::force("F_tr,Rd", r.force);
     let value = Traced::series(rows.iter().filter(|r| r.force > 0.0).map(of));
-    let (clause, title) = ("EN 1993-1-8:2005 6.2.7.2(1)", MOMENT_RESISTANCE);
-    Worked::of(clause, title, "M_j,Rd", value, Unit::Moment)
+    let (clause, id) = ("EN 1993-1-8:2005 6.2.7.2(1)", CheckId::MomentResistance);
+    Worked::of(clause, id, "M_j,Rd", value, Unit::Moment)
 }
 
 /// The column web panel; `None` without a column.

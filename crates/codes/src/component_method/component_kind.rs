@@ -1,5 +1,6 @@
 //! The components of rows in tension, and what limits the force of a row.
 
+use crate::check::CheckId;
 use crate::subject::Part;
 use std::fmt;
 
@@ -67,8 +68,8 @@ pub enum LimitedBy {
     },
     /// A force in proportion to the lever arm.
     Elastic(ElasticRule),
-    /// A component that limits the sum of the rows, with the words that name it.
-    Sum(Summed, &'static str),
+    /// A component that limits the sum of the rows.
+    Sum(CheckId),
 }
 
 impl LimitedBy {
@@ -76,7 +77,7 @@ impl LimitedBy {
     pub fn component(self) -> Option<ComponentKind> {
         match self {
             LimitedBy::Row(component) | LimitedBy::Group { component, .. } => Some(component),
-            LimitedBy::Elastic(_) | LimitedBy::Sum(..) => None,
+            LimitedBy::Elastic(_) | LimitedBy::Sum(_) => None,
         }
     }
 }
@@ -92,7 +93,7 @@ impl fmt::Display for LimitedBy {
             LimitedBy::Elastic(ElasticRule::Triangular) => {
                 f.write_str("UK NA.2.7, triangular limit")
             }
-            LimitedBy::Sum(_, words) => f.write_str(words),
+            LimitedBy::Sum(id) => f.write_str(id.title()),
         }
     }
 }

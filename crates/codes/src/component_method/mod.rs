@@ -13,13 +13,6 @@ pub mod stability;
 pub mod stiffness;
 pub mod t_stub;
 
-/// Title of the check with M_j,Rd.
-pub const MOMENT_RESISTANCE: &str = "moment resistance of the joint";
-/// Title of the check with S_j,ini.
-pub const INITIAL_STIFFNESS: &str = "initial rotational stiffness";
-/// Title of the check with S_j,ini/η.
-pub const ELASTIC_STIFFNESS: &str = "rotational stiffness for elastic analysis";
-
 pub use assembly::{Assessment, assess};
 pub use component_kind::{ComponentKind, ElasticRule, LimitedBy, Summed};
 pub use equilibrium::Equilibrium;

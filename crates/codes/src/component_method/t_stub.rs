@@ -1,6 +1,6 @@
 //! The equivalent T-stub in tension: EN 1993-1-8:2005 Table 6.2.
 
-use crate::check::{Unit, within};
+use crate::check::{CheckId, Unit, within};
 use crate::formula::{Number, Traced};
 use crate::worked::Worked;
 use serde::{Deserialize, Serialize};
@@ -121,8 +121,8 @@ impl TStub {
         let least = *modes.iter().fold(&modes[0], |a, b| if within(a.1, b.1) { a } else { b });
         // tracing a formula takes longer than computing it: only that of the mode that decides
         let force: Traced = self.of_mode(least.0, plastic);
-        let (clause, title) = ("EN 1993-1-8:2005 Table 6.2", "T-stub in tension");
-        let mut worked = Worked::of(clause, title, "F_T,Rd", force, Unit::Force)
+        let (clause, id) = ("EN 1993-1-8:2005 Table 6.2", CheckId::TStub);
+        let mut worked = Worked::of(clause, id, "F_T,Rd", force, Unit::Force)
             .after(least.0.name())
             .with("m", self.m, Unit::Length)
             .with("n", self.n, Unit::Length)

@@ -11,7 +11,7 @@ use super::bolt_holes::Clearance;
 use super::bolt_rows::from_top;
 use super::clamped_plates::{ClampedPlate, clamped_plates};
 use super::member_end::LoadedEnd;
-use crate::check::{Check, Status, Topic, Unit, largest, number as n};
+use crate::check::{Check, CheckId, Status, Topic, Unit, largest, number as n};
 use crate::eurocode::block_tearing::Blocks;
 use crate::eurocode::bolts::{shear_resistance, tension_resistance};
 use crate::eurocode::interaction::{self, Forces};
@@ -174,10 +174,10 @@ impl<'a> BoltForces<'a> {
     /// The bolts together in shear, each with the share that its tension leaves.
     fn shear(&self) -> Check {
         let clause = "EN 1993-1-8:2005 6.2.2(2), Table 3.4";
-        let title = "shear of the bolt group, reduced for tension";
+        let id = CheckId::BoltGroupShear;
         let value = self.shear_shares() * self.shear_resistance.clone();
         let mut worked =
-            Worked::of(clause, title, "V_Rd", value, Unit::Force).after(self.reduced.clone());
+            Worked::of(clause, id, "V_Rd", value, Unit::Force).after(self.reduced.clone());
         if let Some(row) = self.most_pulled() {
             worked = self.note_cap(worked, row.tension);
         }
@@ -195,8 +195,7 @@ impl<'a> BoltForces<'a> {
     fn tension(&self) -> Option<Check> {
         let (e, row) = (self.e, self.most_pulled()?);
         let mut worked = tension_resistance(&e.bolt, &e.grade, e.factors.gamma_m2);
-        worked.title =
-            "tension of a bolt, prying included, by the row forces of the component method";
+        worked.id = CheckId::BoltTension;
         if row.pull > 0.0 {
             let prying = 2.0 * row.tension / row.pull;
             worked = worked.with("F_tr,Ed", row.pull, Unit::Force);

@@ -6,7 +6,7 @@
 
 use super::bolt_rows::from_top;
 use super::clamped_plates::ClampedPlate;
-use crate::check::{Check, Topic, Unit, number as n};
+use crate::check::{Check, CheckId, Topic, Unit, number as n};
 use crate::eurocode::bearing::{Along, Hole};
 use crate::eurocode::block_tearing::Blocks;
 use crate::subject::Part;
@@ -60,8 +60,8 @@ pub(super) fn assumption(bolts: &[GroupBolt], place: &str, vy: f64) -> Check {
         Unit::Force.show(vy),
         n(z)
     );
-    let (clause, title) = ("EN 1993-1-8:2005 3.12, Table 3.4", "shear force across the member");
-    Check::assumption(Topic::Bolts, place, clause, title, words)
+    let (clause, id) = ("EN 1993-1-8:2005 3.12, Table 3.4", CheckId::ShearAcross);
+    Check::assumption(Topic::Bolts, place, clause, id, words)
 }
 
 /// Distance of a row at `z` from the nearer end of a plate, above or below \[mm\]; infinite where
@@ -97,7 +97,7 @@ pub(super) fn bearing_across(e: &EndPlate, plate: &ClampedPlate, hole: Hole, z: 
     let e1 = edge_distance(e, plate);
     let (end, inner) = (of(Along::End { e1 }), of(Along::Inner { p1: next }));
     let mut least = if inner.value < end.value { inner } else { end };
-    least.title = "bearing resistance at a bolt, across the member";
+    least.id = CheckId::BearingAcross;
     least
 }
 
@@ -115,7 +115,7 @@ pub(super) fn block_across(e: &EndPlate, plate: &ClampedPlate) -> Worked {
         fu: plate.fu,
     };
     let mut worked = blocks.resistance(e.factors.gamma_m0, e.factors.gamma_m2);
-    worked.title = "block tearing across the member";
+    worked.id = CheckId::BlockTearingAcross;
     worked
 }
 

@@ -3,7 +3,7 @@
 
 use super::column_forces::columns;
 use super::member_end::MemberEnd;
-use crate::check::{Check, Topic, Unit, number as n, within};
+use crate::check::{Check, CheckId, Topic, Unit, number as n, within};
 use crate::classification::{
     Frame, STIFF_COLUMNS, StiffnessLimits, stiffness_limits, strength_class,
 };
@@ -50,7 +50,7 @@ fn strength(end: &MemberEnd<'_>) -> Check {
     let words = Derivation::from(class.words())
         .then("full strength from M_full, pinned up to a quarter of it")
         .then(full);
-    Worked::of("EN 1993-1-8:2005 5.2.3", "class by strength", "", share, Unit::Number)
+    Worked::of("EN 1993-1-8:2005 5.2.3", CheckId::StrengthClass, "", share, Unit::Number)
         .after(words)
         .information(Topic::ComponentMethod, end.subject())
 }
@@ -137,15 +137,15 @@ fn stiffness_classes(end: &MemberEnd<'_>) -> Vec<Check> {
         let Some(limits) = limits(e, frame) else {
             let (k_b, young) = (frame.factor(), Traced::stress("E", e.beam_steel.e));
             let bending = Traced::number("k_b", k_b) * young * Traced::number("I_b", inertia);
-            let title = "system length of the beam from which the joint is rigid";
-            let mut worked = Worked::of(STIFFNESS, title, "L_b", bending / stiffness, Unit::Length);
+            let id = CheckId::RigidLength;
+            let mut worked = Worked::of(STIFFNESS, id, "L_b", bending / stiffness, Unit::Length);
             worked.derivation = worked.derivation.followed_by(note);
             return worked.information(Topic::Stiffness, place);
         };
         let derivation = Derivation::from(limits.class(initial).words())
             .followed_by(beside_limits(initial, &limits))
             .followed_by(note);
-        Worked::of(STIFFNESS, "class by stiffness", "S_j,ini", stiffness, Unit::Rotational)
+        Worked::of(STIFFNESS, CheckId::StiffnessClass, "S_j,ini", stiffness, Unit::Rotational)
             .after(derivation)
             .information(Topic::Stiffness, place)
     };

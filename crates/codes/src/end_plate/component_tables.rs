@@ -8,7 +8,7 @@ use super::method_record::MethodRecord;
 use super::rotation_rules::SenseLimits;
 use super::sense::{self, Sense};
 use super::weld_checks;
-use crate::check::{Check, Status, Topic, Unit, number as n};
+use crate::check::{Check, CheckId, Status, Topic, Unit, number as n};
 use crate::component_method::assembly::RowForce;
 use crate::component_method::rows::Component;
 use crate::component_method::stiffness::{Joins, for_elastic_analysis};
@@ -100,7 +100,7 @@ fn tables(e: &EndPlate, subject: &str, sense: Sense, a: &Assessment) -> Vec<Chec
         };
         let mut force = Worked::of(
             "EN 1993-1-8:2005 6.2.7.2",
-            "tension resistance of a row",
+            CheckId::RowTension,
             "F_tr,Rd",
             row_force(a, r, shown),
             Unit::Force,
@@ -120,8 +120,8 @@ fn tables(e: &EndPlate, subject: &str, sense: Sense, a: &Assessment) -> Vec<Chec
     let (joint, beam) = (a.moment.value, a.beam_moment.value);
     let share = Traced::symbol("M_j,Rd", joint, Unit::Moment)
         / Traced::symbol("M_c,Rd", beam, Unit::Moment);
-    let title = "strength against that of the beam";
-    let share = Worked::of("EN 1993-1-8:2005 5.2.3", title, "M_j,Rd/M_c,Rd", share, Unit::Number);
+    let id = CheckId::StrengthBesideBeam;
+    let share = Worked::of("EN 1993-1-8:2005 5.2.3", id, "M_j,Rd/M_c,Rd", share, Unit::Number);
     out.push(share.information(topic, subject));
     let initial = &a.stiffness.initial;
     out.push(initial.clone().information(Topic::Stiffness, subject));
@@ -132,7 +132,7 @@ fn tables(e: &EndPlate, subject: &str, sense: Sense, a: &Assessment) -> Vec<Chec
 
 /// Whether a row has what the components in compression and shear leave of the sum.
 fn of_sum(row: &RowForce) -> bool {
-    matches!(row.limited_by, LimitedBy::Sum(..))
+    matches!(row.limited_by, LimitedBy::Sum(_))
 }
 
 /// The force of a row by the formula of what limits it; a symbol of its own where several limits

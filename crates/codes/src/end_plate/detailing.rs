@@ -3,7 +3,7 @@
 
 use super::bolt_rows::{end_distance, from_top, pitches};
 use super::clamped_plates::{WASHERS, other_thickness, stocked_length};
-use crate::check::{Check, Status, Step, Topic, Unit, number as n, within};
+use crate::check::{Check, CheckId, Status, Step, Topic, Unit, number as n, within};
 use crate::component_method::column_web::STIFFENER_SLENDERNESS;
 use crate::eurocode::bolt_length;
 use crate::eurocode::section::epsilon;
@@ -99,10 +99,7 @@ fn length_of_bolts(e: &EndPlate) -> Vec<Check> {
 /// # Source
 /// EN 1993-1-8:2005 Figure 6.8(b): e_min is then the edge distance in the column's flange.
 fn overhang(e: &EndPlate, c: &ColumnSide) -> Option<Check> {
-    let what = (
-        "EN 1993-1-8:2005 Figure 6.8",
-        "end plate no wider than the column flange, where it bears",
-    );
+    let what = ("EN 1993-1-8:2005 Figure 6.8", CheckId::PlateOverhang);
     let rule = Traced::length(format!("b_fc of {}", c.section.name), c.section.b);
     let check = Check::at_most(
         (Topic::Detailing, "end plate"),
@@ -126,10 +123,10 @@ fn stiffener_slenderness(c: &ColumnSide) -> Check {
     let rule = Traced::from(STIFFENER_SLENDERNESS)
         * Traced::number("ε", epsilon(c.steel.fy.mpa()))
         * Traced::length("t_s", c.stiffener);
-    let title = ("EN 1993-1-5:2006 9.2.1", "outstand of the stiffener");
+    let what = ("EN 1993-1-5:2006 9.2.1", CheckId::StiffenerOutstand);
     Check::at_most(
         (Topic::Detailing, "column stiffener"),
-        title,
+        what,
         "c",
         rule,
         outstand,

@@ -3,7 +3,7 @@
 
 use super::weld_lengths;
 use super::welded_steel;
-use crate::check::{Check, Status, Topic, Unit, within};
+use crate::check::{Check, CheckId, Status, Topic, Unit, within};
 use crate::eurocode::welds::{
     LineForce, WeldedSteel, either_method, full_strength_throat, transverse,
 };
@@ -14,9 +14,6 @@ use bracket_joint::assembly::{EndPlate, PlaneActions};
 /// Part of the compression that the welds take beside a prepared contact, EN 1993-1-8:2005 6.2.7.1
 /// for splices in full contact.
 const BESIDE_CONTACT: f64 = 0.25;
-
-/// Title of a weld that is as strong as the part it joins.
-pub(super) const FULL_STRENGTH: &str = "fillet weld of full strength";
 
 /// Words of a plate that yields before it has brought its weld all forces.
 pub(super) const YIELDS: &str = "the web yields at a part η of the forces";
@@ -121,7 +118,7 @@ fn flange(
         worked = worked
             .then(welded_steel::as_strong(a, &full))
             .becomes("F_w,Rd", flange_strength(e) / l.clone());
-        worked.title = FULL_STRENGTH;
+        worked.id = CheckId::WeldFullStrength;
         worked.clause = "EN 1993-1-8:2005 6.2.3(4)";
     }
     let across = Traced::force("F_Ed", forces.weld);
@@ -241,10 +238,14 @@ pub(super) fn flange_resistance(e: &EndPlate, clause: &'static str) -> Option<Wo
     let length = weld_lengths::flange(e);
     let each = transverse(a, &steel);
     let along = each.traced() * weld_lengths::counted(&length);
-    let of = |value: Traced| Worked::of(clause, "", "F_Rd", value, Unit::Force);
+    let of = |value: Traced| {
+        let id = CheckId::FlangeWeldNotWeakest;
+        Worked::of(clause, id, "F_Rd", value, Unit::Force)
+    };
     Some(match within(full.value, a) && most.value() > along.value() {
         true => {
-            let why = Derivation::from(welded_steel::as_strong(a, &full)).then(FULL_STRENGTH);
+            let why = Derivation::from(welded_steel::as_strong(a, &full))
+                .then(CheckId::WeldFullStrength.title());
             of(most).after(why)
         }
         false => of(along).after(Derivation::from(length).followed_by(each.derivation)),

@@ -2,7 +2,7 @@
 //! a reader can compute it again.
 
 use super::sense::Sense;
-use crate::check::Step;
+use crate::check::{CheckId, Step};
 use crate::component_method::assembly::{Limit, RowForce};
 use crate::component_method::joint::EndPlateJoint;
 use crate::component_method::rows::Component;
@@ -247,14 +247,14 @@ impl WebRecord {
 
 impl LimitRecord {
     fn new(limit: &Limit) -> Self {
-        let part = match limit.of {
-            Summed::ColumnWeb => "column web in compression",
-            Summed::BeamFlange => "beam flange and web in compression",
-            Summed::Panel => "column web panel in shear",
+        let id = match limit.of {
+            Summed::ColumnWeb => CheckId::ColumnWebCompression,
+            Summed::BeamFlange => CheckId::BeamFlangeCompression,
+            Summed::Panel => CheckId::ColumnPanel,
         };
         let Worked { clause, steps, value, .. } = &limit.worked;
         Self {
-            part: part.into(),
+            part: id.title().into(),
             clause: (*clause).into(),
             formula: limit.worked.formula(),
             values: steps.clone(),

@@ -1,7 +1,7 @@
 //! What a national annex changes beside the partial factors, and a list of what is not covered.
 
 use super::clamped_plates::clamped;
-use crate::check::{Binding, Check, Status, Topic};
+use crate::check::{Binding, Check, CheckId, Status, Topic};
 use crate::ductility::{Clamped, plastic_distribution};
 use crate::formula::{Number, Traced};
 use crate::subject::Part;
@@ -12,9 +12,6 @@ use bracket_joint::spec::code::FySource;
 const UK: &str = "UK";
 /// The catalogue's name of the annex of Germany.
 const GERMANY: &str = "DE";
-
-/// Title of the lists of what is not covered.
-const NOT_COVERED: &str = "rules of the national annex that are not covered";
 
 /// Bolt classes that the German annex excludes.
 const GERMAN_EXCLUDED: [&str; 3] = ["4.8", "5.8", "6.8"];
@@ -48,7 +45,7 @@ pub(super) fn checks(e: &EndPlate) -> Vec<Check> {
             Topic::Detailing,
             format!("annex {other}"),
             "national annex",
-            NOT_COVERED,
+            CheckId::AnnexNotCovered,
             "the partial factors of the annex are used and nothing else: its choices in EN \
              1993-1-8 3.1.1(3), bolt classes; 3.4.2(1), preload; 5.2.1(2), classification; \
              6.2.7.2(9), forces of the rows; and its additional rules are not covered",
@@ -58,7 +55,7 @@ pub(super) fn checks(e: &EndPlate) -> Vec<Check> {
 
 /// The annex of the United Kingdom.
 fn british(e: &EndPlate) -> Vec<Check> {
-    let (clause, title) = ("UK NA to BS EN 1993-1-8, NA.2.7", "forces of the bolt rows");
+    let (clause, id) = ("UK NA to BS EN 1993-1-8, NA.2.7", CheckId::AnnexRowForces);
     let words = if triangular(e) {
         "neither end plate nor column flange is thin enough for its bolts, t ≤ (d/1.9) \
          √(f_ub/f_y): every row has at most its share of a triangle, F_tr,Rd ≤ F_t1,Rd h_r/h_1"
@@ -66,21 +63,19 @@ fn british(e: &EndPlate) -> Vec<Check> {
         "end plate or column flange is thin enough for its bolts, t ≤ (d/1.9) √(f_ub/f_y): the \
          rows may reach their plastic forces"
     };
-    let mut out =
-        vec![Check::assumption(Topic::ComponentMethod, "bolt rows", clause, title, words)];
+    let mut out = vec![Check::assumption(Topic::ComponentMethod, "bolt rows", clause, id, words)];
     if e.fy_source == FySource::Table31 {
-        let (clause, title) =
-            ("UK NA to BS EN 1993-1-1, NA.2.4", "yield strengths by the product standard");
+        let (clause, id) = ("UK NA to BS EN 1993-1-1, NA.2.4", CheckId::AnnexYieldStrengths);
         let words = "f_y and f_u are those of Table 3.1; this annex asks for those of the product \
                      standard, which are lower above 16 mm: code.fy_source: product_standard";
-        let check = Check::assumption(Topic::Detailing, "annex UK", clause, title, words);
+        let check = Check::assumption(Topic::Detailing, "annex UK", clause, id, words);
         out.push(Check { status: Status::Warning, ..check });
     }
     out.push(Check::assumption(
         Topic::Detailing,
         "annex UK",
         "UK NA to BS EN 1993-1-8",
-        NOT_COVERED,
+        CheckId::AnnexNotCovered,
         "its choices in EN 1993-1-8 3.1.1(3), bolt classes; 3.4.2(1), preload; 5.2.1(2), \
          classification; and γ_M2 = 1.1 of net sections in EN 1993-1-1 are not covered",
     ));
@@ -91,16 +86,16 @@ fn british(e: &EndPlate) -> Vec<Check> {
 fn german(e: &EndPlate) -> Vec<Check> {
     let mut out = german_throats(e);
     if GERMAN_EXCLUDED.contains(&e.grade.grade.as_str()) {
-        let (clause, title) = ("DIN EN 1993-1-8/NA, NDP to 3.1.1(3)", "bolt class of the annex");
+        let (clause, id) = ("DIN EN 1993-1-8/NA, NDP to 3.1.1(3)", CheckId::AnnexBoltClass);
         let words = format!("bolts of class {} may not be used in Germany", e.grade.grade);
-        let check = Check::assumption(Topic::Detailing, "bolts", clause, title, words);
+        let check = Check::assumption(Topic::Detailing, "bolts", clause, id, words);
         out.push(Check { status: Status::Failed, binding: Binding::Beside, ..check });
     }
     out.push(Check::assumption(
         Topic::Detailing,
         "annex DE",
         "DIN EN 1993-1-8/NA",
-        NOT_COVERED,
+        CheckId::AnnexNotCovered,
         "its rules to EN 1993-1-8 3.1.1, galvanised bolts; 3.4.2(1), preload F_p,C* and its \
          procedure; 4.5.3.2(6), f_u of parts above 40 mm and β_w of its own; 5.2.1(2), \
          classification; 6.2.7.2(9), forces of the rows; are not covered",
@@ -132,7 +127,7 @@ fn german_throats(e: &EndPlate) -> Vec<Check> {
             _ => true,
         };
         (exists && a > 0.0 && t >= GERMAN_THIN).then(|| {
-            let what = ("DIN EN 1993-1-8/NA, NCI to 4.5.2", "least throat beside the thicker part");
+            let what = ("DIN EN 1993-1-8/NA, NCI to 4.5.2", CheckId::AnnexThroat);
             let rule = Traced::length("t_max", t).sqrt() - Traced::from(0.5);
             let mut check =
                 Check::at_least((Topic::Welds, part), what, "a", rule, a, Status::Failed);

@@ -6,13 +6,11 @@
 //! (`component_method::rows`), which becomes an undecided check of each load case.
 
 use super::bolt_holes::{CLEARANCES, Clearance};
-use crate::check::{Check, Topic, Unit, within};
+use crate::check::{Check, CheckId, Topic, Unit, within};
 use crate::formula::{Derivation, Formula, Line, Relation, Traced};
 use bracket_joint::assembly::EndPlate;
 use bracket_joint::strength::Strength;
 
-/// Title of these checks.
-const TITLE: &str = "outside the range of the rules";
 /// Greatest nominal f_y \[MPa\], EN 1993-1-8:2005 1.1(1): S235 to S460.
 const STRONGEST: f64 = 460.0;
 /// Least thickness \[mm\], EN 1993-1-1:2005 1.1.2(1).
@@ -70,7 +68,7 @@ fn undecided(
     why: impl Into<Derivation>,
     step: &str,
 ) -> Check {
-    Check::undecided(topic, subject, clause, TITLE, why, step)
+    Check::undecided(topic, subject, clause, CheckId::OutsideRange, why, step)
 }
 
 /// Steels above S460, each once.

@@ -10,7 +10,7 @@ use super::member_end::{LoadedEnd, MemberEnd};
 use super::transformation::{beta, other_ends};
 use super::weld_lengths;
 use super::welded_steel;
-use crate::check::{Check, Status, Topic, Unit, largest, within};
+use crate::check::{Check, CheckId, Status, Topic, Unit, largest, within};
 use crate::component_method::assembly::Group;
 use crate::component_method::column_web::compressed_thickness;
 use crate::component_method::{Assessment, ComponentKind, Summed, assess};
@@ -117,9 +117,9 @@ fn compression(
         * s.yield_strength()
         / s.gamma_m0();
     let both = alone + s.resistance();
-    let title = "crushing of the column web with the net section of its stiffeners";
+    let id = CheckId::StiffenedWebCrushing;
     let clause = "EN 1993-1-8:2005 6.2.6.2(4), SCI P398";
-    let worked = Worked::of(clause, title, "F_Rd", both.clone(), Unit::Force)
+    let worked = Worked::of(clause, id, "F_Rd", both.clone(), Unit::Force)
         .with("b_eff", width, Unit::Length)
         .with("ω", omega, Unit::Number);
     let place = loaded.place("compressed stiffeners");
@@ -166,9 +166,9 @@ fn tension(
     let of_web = Traced::force("F_t,wc,Rd", web.worked.value);
     let force = (Traced::series(pull) - of_web).max(Traced::series(bent));
     let demand = force.value();
-    let title = "net section of the stiffeners in tension";
+    let id = CheckId::StiffenersInTension;
     let clause = "EN 1993-1-8:2005 6.2.6.3, SCI P398";
-    let mut worked = Worked::of(clause, title, "F_Rd", s.resistance(), Unit::Force)
+    let mut worked = Worked::of(clause, id, "F_Rd", s.resistance(), Unit::Force)
         .after(Formula::new("F_Ed", force.clone(), Unit::Force));
     if let Some(width) = web.worked.step("b_eff") {
         worked = worked.with("b_eff of the web", width, Unit::Length);
@@ -210,7 +210,7 @@ pub(super) fn least_sizes(e: &EndPlate) -> Vec<Check> {
 /// EN 1993-1-8:2005 6.2.6.3: fillet welds with a ≥ t_s/√2.
 fn doubler_throat(c: &ColumnSide) -> Option<Check> {
     let counts = c.doubler > 0.0 && c.doubler_throat > 0.0 && doubler_fault(c).is_none();
-    let what = ("EN 1993-1-8:2005 6.2.6.3", "throat of the welds of a web doubler");
+    let what = ("EN 1993-1-8:2005 6.2.6.3", CheckId::DoublerThroat);
     let rule = Traced::length("t_s", c.doubler) / Traced::from(2.0).sqrt();
     let (topic, throat) = ((Topic::Welds, "web doubler"), c.doubler_throat);
     counts.then(|| Check::at_least(topic, what, "a", rule, throat, Status::Failed))
@@ -248,8 +248,8 @@ fn stiffener_welds(
         };
         let each = either_method(line, a, &steel);
         let value = Traced::from(count) * weld_lengths::counted(length) * each.traced();
-        let title = "fillet welds of the column stiffeners";
-        let mut worked = Worked::of(each.clause, title, "F_Rd", value, Unit::Force)
+        let id = CheckId::StiffenerWelds;
+        let mut worked = Worked::of(each.clause, id, "F_Rd", value, Unit::Force)
             .after(before.then(length.clone()).followed_by(each.derivation));
         // full strength by a weld on either side of each stiffener
         let both_sides = across && l > 0.0 && within(4.0, count);
@@ -314,7 +314,7 @@ pub(super) fn doubler_welds(end: &MemberEnd<'_>) -> Vec<Check> {
     let line = LineForce { across: 0.0, along: demand };
     let worked = Worked {
         clause: "EN 1993-1-8:2005 6.2.6.1, 4.5.3.3",
-        title: "shear flow in the welds of a web doubler",
+        id: CheckId::DoublerWelds,
         ..either_method(line, a, &steel).after(panel.derivation.then(flow))
     };
     out.push(worked.against(Topic::Welds, subject, demand, Status::Failed));
@@ -328,7 +328,7 @@ pub(super) fn doubler_welds(end: &MemberEnd<'_>) -> Vec<Check> {
 pub(super) fn rib_weld(e: &EndPlate) -> Option<Check> {
     let steel = welded_steel::of_the_beam(e).filter(|_| e.rib > 0.0 && e.rib_throat > 0.0)?;
     let full = full_strength_throat(e.rib, e.beam_steel.fy, e.factors.gamma_m0, &steel);
-    let what = ("EN 1993-1-8:2005 4.5.3.2(6)", "throat of welds as strong as the rib");
+    let what = ("EN 1993-1-8:2005 4.5.3.2(6)", CheckId::RibThroat);
     let rule = welded_steel::full_throat(&full);
     Some(Check::at_least((Topic::Welds, "rib"), what, "a", rule, e.rib_throat, Status::Failed))
 }

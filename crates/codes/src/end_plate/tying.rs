@@ -4,7 +4,7 @@ use super::bolt_checks::bolt_tension;
 use super::bolt_rows::from_top;
 use super::component_joint::component_joint;
 use super::sense::Sense;
-use crate::check::{Check, Topic, Unit};
+use crate::check::{Check, CheckId, Topic, Unit};
 use crate::component_method::assembly::RowForce;
 use crate::component_method::{Assessment, assess};
 use crate::formula::{Number, Traced};
@@ -53,9 +53,9 @@ pub(super) fn tying(e: &EndPlate) -> Option<Check> {
     if !value.value().is_finite() {
         return None;
     }
-    let title = "tying resistance, without welds";
+    let id = CheckId::Tying;
     let clause = "EN 1991-1-7:2006 A.5, SCI P358";
-    let worked = Worked::of(clause, title, "N_Rd,u", value, Unit::Force);
+    let worked = Worked::of(clause, id, "N_Rd,u", value, Unit::Force);
     Some(worked.information(Topic::Member, "end plate"))
 }
 

@@ -8,7 +8,7 @@ use super::member_end::LoadedEnd;
 use super::sense::Sense;
 use super::weld_lengths;
 use super::welded_steel;
-use crate::check::{Check, Status, Topic, Unit, largest, number as n, within};
+use crate::check::{Check, CheckId, Status, Topic, Unit, largest, number as n, within};
 use crate::component_method::{Assessment, ComponentKind};
 use crate::eurocode::welds::{
     ThroatStress, WeldedSteel, directional, full_strength_throat, least_size,
@@ -134,7 +134,7 @@ pub(super) fn tension_zone(loaded: &LoadedEnd<'_>) -> Option<Check> {
     let (e, assessment) = (loaded.end.e, &loaded.end.assessment);
     let vz = loaded.end.a.at(1.0)[0][2];
     let (stretch, mut worked) = web_welds(e, assessment, |r| loaded.row_force(r), vz.abs())?;
-    worked.title = "web weld beside the rows in tension, directional method";
+    worked.id = CheckId::WebWeldBesideRows;
     let place = loaded.place(&format!("beam web, {}", loaded.rows(stretch.first, stretch.last)));
     Some(worked.utilised(Topic::Welds, place, Status::Failed))
 }
@@ -166,8 +166,8 @@ pub(super) fn not_the_weakest(
     out.extend(of_the_flange(e, subject, a, otherwise));
     if e.web_throat == 0.0 {
         let words = "full penetration: as strong as the web (4.7.1), it limits no row";
-        let (title, unit) = ("web weld no weaker than the rows in tension", Unit::ForcePerLength);
-        let worked = Worked::of(NOT_THE_WEAKEST, title, "F_w,Rd", web_strength(e), unit);
+        let (id, unit) = (CheckId::WebWeldNotWeakest, Unit::ForcePerLength);
+        let worked = Worked::of(NOT_THE_WEAKEST, id, "F_w,Rd", web_strength(e), unit);
         let worked = worked.after(words);
         out.push(worked.information(Topic::Welds, format!("beam web, {subject}")));
     }
@@ -175,7 +175,7 @@ pub(super) fn not_the_weakest(
     let full = |r: usize| a.rows.get(r).map_or(0.0, |row| row.force);
     if let Some((stretch, mut worked)) = web_welds(e, a, full, 0.0) {
         worked.clause = NOT_THE_WEAKEST;
-        worked.title = "web weld no weaker than the rows in tension";
+        worked.id = CheckId::WebWeldNotWeakest;
         let each = a.rows.get(stretch.first..=stretch.last).unwrap_or_default().iter();
         let each: Vec<String> = each.map(|r| n(sense.z(r.z))).collect();
         let place = format!("beam web, {subject}, z = {} mm", each.join(" and "));
@@ -188,24 +188,24 @@ pub(super) fn not_the_weakest(
 fn of_the_flange(e: &EndPlate, subject: &str, a: &Assessment, otherwise: Status) -> Vec<Check> {
     let place = format!("beam flange, {subject}");
     let joint = a.moment.value;
-    let title = "flange weld no weaker than the joint";
+    let id = CheckId::FlangeWeldNotWeakest;
     if e.flange_throat == 0.0 {
         let words = "full penetration: as strong as the flange (4.7.1), it limits no joint";
-        let worked = Worked::of(NOT_THE_WEAKEST, title, "F_Rd", flange_strength(e), Unit::Force)
-            .after(words);
+        let worked =
+            Worked::of(NOT_THE_WEAKEST, id, "F_Rd", flange_strength(e), Unit::Force).after(words);
         return vec![worked.information(Topic::Welds, place)];
     }
     let Some(welds) = flange_resistance(e, NOT_THE_WEAKEST) else { return Vec::new() };
-    let check = |clause, title, (moment, words): (Traced, Option<&str>), otherwise| {
+    let check = |clause, id, (moment, words): (Traced, Option<&str>), otherwise| {
         let pull = (moment / flange_lever(e)).min(flange_strength(e));
         let demand = pull.value();
         let before = words.into_iter().fold(Derivation::default(), Derivation::then);
         let before = before.then(Formula::new("F_Ed", pull, Unit::Force));
-        let worked = Worked { clause, title, ..welds.clone().after(before) };
+        let worked = Worked { clause, id, ..welds.clone().after(before) };
         worked.against(Topic::Welds, place.clone(), demand, otherwise)
     };
     let of_joint = Traced::symbol("M_j,Rd", joint, Unit::Moment);
-    let mut out = vec![check(NOT_THE_WEAKEST, title, (of_joint.clone(), None), otherwise)];
+    let mut out = vec![check(NOT_THE_WEAKEST, id, (of_joint.clone(), None), otherwise)];
     let plastic = plastic(1e3 * e.beam.w_pl_y, e.beam_steel.fy.mpa(), e.factors.gamma_m0);
     // no hinge rotates in the joint where the beam yields first, or in a sense that no load case
     // has
@@ -215,11 +215,11 @@ fn of_the_flange(e: &EndPlate, subject: &str, a: &Assessment, otherwise: Status)
         return out;
     }
     for (alpha, frame) in OVERSTRENGTH {
-        let title = "flange weld where a plastic hinge turns in the joint";
+        let id = CheckId::FlangeWeldOfHinge;
         let of_beam = Traced::symbol("M_pl,Rd", plastic, Unit::Moment);
         let moment = (Traced::from(alpha) * of_joint.clone()).min(of_beam);
         let of = (moment, Some(frame));
-        out.push(check("EN 1993-1-8:2005 6.2.3(5)", title, of, Status::Warning));
+        out.push(check("EN 1993-1-8:2005 6.2.3(5)", id, of, Status::Warning));
     }
     out
 }

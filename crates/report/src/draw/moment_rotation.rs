@@ -7,10 +7,9 @@ use crate::markdown::report_data::PictureRef;
 use crate::result::case_result::CaseResult;
 use crate::result::quantity::{Quantity, Upper};
 use crate::result::result_file::ResultFile;
-use bracket_codes::Check;
 use bracket_codes::check::number;
-use bracket_codes::component_method::{INITIAL_STIFFNESS, MOMENT_RESISTANCE};
 use bracket_codes::end_plate::stiffness_class_limits;
+use bracket_codes::{Check, CheckId};
 use bracket_joint::assembly::EndPlate;
 
 /// Exponent of μ for bolted end plates, EN 1993-1-8 Table 6.8.
@@ -91,12 +90,12 @@ impl Curve {
 
 /// The curves of both senses; one for both where they are equal.
 fn curves(checks: &[Check]) -> Vec<Curve> {
-    let value = |title: &str, sense: &str| {
-        Check::find(checks, title, sense)?.resistance.filter(|v| *v > 0.0)
-    };
+    let value =
+        |id: CheckId, sense: &str| Check::find(checks, id, sense)?.resistance.filter(|v| *v > 0.0);
     let mut out: Vec<Curve> = Vec::new();
     for sense in ["tension at the top", "tension at the bottom"] {
-        let (Some(m), Some(s)) = (value(MOMENT_RESISTANCE, sense), value(INITIAL_STIFFNESS, sense))
+        let (Some(m), Some(s)) =
+            (value(CheckId::MomentResistance, sense), value(CheckId::InitialStiffness, sense))
         else {
             continue;
         };

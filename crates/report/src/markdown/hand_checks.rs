@@ -68,7 +68,7 @@ pub(crate) fn checks(page: &mut String, checks: &[Check]) {
         paragraph(page, &format!("**{title}.** {words}"));
         let decided = mine.iter().any(|c| c.utilisation.is_some());
         let rows = mine.iter().map(|c| {
-            let mut row = vec![place(c), c.title.clone(), formula(c), c.clause.clone()];
+            let mut row = vec![place(c), c.title.text(), formula(c), c.clause.clone()];
             if decided {
                 let used = used_words(c);
                 let word = status(c);
