@@ -438,7 +438,7 @@ fn four_bolts_in_a_row_are_listed_and_the_inner_two_are_checked() {
     // e2 = (290 − 220)/2 = 35 mm of the outer bolts, p2 = 55 mm to the inner ones
     let length = |h: &HandChecks, symbol: &str| {
         let of = |c: &&Check| {
-            c.subject == "end plate" && c.formula().starts_with(&format!("{symbol} = "))
+            c.subject.text() == "end plate" && c.formula().starts_with(&format!("{symbol} = "))
         };
         h.checks.iter().find(of).and_then(|c| c.resistance)
     };

@@ -7,6 +7,7 @@ pub use check_id::CheckId;
 pub use title::Title;
 
 use crate::formula::{Derivation, Formula, Line, Number, Relation, Traced};
+use crate::subject::Subject;
 pub use crate::unit::{Unit, number};
 use bracket_base::units::limits;
 use serde::{Deserialize, Serialize};
@@ -95,7 +96,8 @@ pub struct Check {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub case: Option<String>,
     /// Part, row or sense of bending.
-    pub subject: String,
+    #[serde(flatten)]
+    pub subject: Subject,
     /// Clause.
     pub clause: String,
     /// What it checks.
@@ -134,14 +136,14 @@ impl Check {
     }
 
     /// The check with an id and a subject.
-    pub fn find<'a>(checks: &'a [Check], id: CheckId, subject: &str) -> Option<&'a Check> {
-        checks.iter().find(|c| c.id() == id && c.subject == subject)
+    pub fn find<'a>(checks: &'a [Check], id: CheckId, subject: &Subject) -> Option<&'a Check> {
+        checks.iter().find(|c| c.id() == id && c.subject == *subject)
     }
 
     /// A check for which the code gives no resistance, with the reason, and what would decide it.
     pub fn undecided(
         topic: Topic,
-        subject: impl Into<String>,
+        subject: impl Into<Subject>,
         clause: &str,
         id: CheckId,
         why: impl Into<Derivation>,
@@ -186,7 +188,7 @@ impl Check {
     /// An assumption of the checks, in words.
     pub fn assumption(
         topic: Topic,
-        subject: impl Into<String>,
+        subject: impl Into<Subject>,
         clause: &str,
         id: CheckId,
         what: impl Into<Derivation>,
@@ -212,7 +214,7 @@ impl Check {
     /// A length that must reach a least value: the demand is the required length `limit`, the
     /// resistance the provided one. `otherwise` is the status where it is too small.
     pub fn at_least(
-        of: (Topic, impl Into<String>),
+        of: (Topic, impl Into<Subject>),
         what: (&str, CheckId),
         symbol: impl Into<Cow<'static, str>>,
         limit: impl Into<Traced>,
@@ -229,7 +231,7 @@ impl Check {
     /// A length that must not exceed a greatest value `limit`: the demand is the provided length,
     /// the resistance the allowed one. `otherwise` is the status where it is too large.
     pub fn at_most(
-        of: (Topic, impl Into<String>),
+        of: (Topic, impl Into<Subject>),
         what: (&str, CheckId),
         symbol: impl Into<Cow<'static, str>>,
         limit: impl Into<Traced>,
@@ -256,7 +258,7 @@ impl Check {
     }
 
     fn limit(
-        (topic, subject): (Topic, impl Into<String>),
+        (topic, subject): (Topic, impl Into<Subject>),
         (clause, id): (&str, CheckId),
         (symbol, value, relation, limit): (Cow<'static, str>, f64, Relation, Traced),
         (demand, resistance): (f64, f64),
@@ -363,11 +365,13 @@ pub fn largest<T>(of: impl IntoIterator<Item = T>, value: impl Fn(&T) -> f64) ->
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::subject::Part;
 
     #[test]
     fn a_limit_met_exactly_holds_and_one_missed_by_a_hair_does_not() {
         let check = |provided: f64| {
-            let (topic, what) = ((Topic::Detailing, "plate"), ("Table 3.3", CheckId::EndDistance));
+            let (topic, what) =
+                ((Topic::Detailing, Part::EndPlate), ("Table 3.3", CheckId::EndDistance));
             let rule = Traced::from(1.2) * Traced::symbol("d0", 20.0, Unit::Length);
             Check::at_least(topic, what, "e1", rule, provided, Status::Failed)
         };
@@ -380,7 +384,7 @@ mod tests {
             "{}",
             check(23.99).formula()
         );
-        let (topic, what) = ((Topic::Welds, "beam web"), ("4.5.2", CheckId::LeastThroat));
+        let (topic, what) = ((Topic::Welds, Part::BeamWeb), ("4.5.2", CheckId::LeastThroat));
         let throat = Check::at_least(topic, what, "a", 3.0, 6.0, Status::Failed);
         assert_eq!(throat.formula(), "a = 6 mm ≥ 3 mm");
         assert_eq!(check(-3.0).utilisation, None, "no finite utilisation where nothing is there");

@@ -5,6 +5,7 @@ use super::end_plate::{HandChecks, hand_checks};
 use super::worked::Worked;
 use crate::check::{CheckId, Status, Unit};
 use crate::formula::Traced;
+use crate::subject::Part;
 use bracket_joint::assembly::{Idle, Joint};
 
 /// The hand checks of a joint, with those of the load cases in which nothing acts.
@@ -24,6 +25,6 @@ fn nothing_acts(idle: &Idle) -> Check {
     let (clause, used) = ("EN 1990:2002 6.4.2(3)", Traced::from(0.0));
     Worked::of(clause, CheckId::NothingActs, "E_d/R_d", used, Unit::Number)
         .after("every action at the member ends is zero or neglected")
-        .utilised(Topic::Member, "all member ends", Status::Failed)
+        .utilised(Topic::Member, Part::MemberEnds, Status::Failed)
         .of_case(&idle.case)
 }

@@ -2,6 +2,7 @@
 
 use super::check::{Binding, Check, CheckId, Status, Step, Topic, Unit};
 use super::formula::{Derivation, Formula, Line, Number, Traced};
+use crate::subject::Subject;
 use std::borrow::Cow;
 
 /// A value computed by a formula of the code, with its derivation.
@@ -91,7 +92,7 @@ impl Worked {
 
     /// The value as information, without a demand. A value that is not finite is left out, and so
     /// are such intermediate values.
-    pub fn information(mut self, topic: Topic, subject: impl Into<String>) -> Check {
+    pub fn information(mut self, topic: Topic, subject: impl Into<Subject>) -> Check {
         self.steps.retain(|step| step.value.is_finite());
         Check {
             topic,
@@ -116,7 +117,7 @@ impl Worked {
     pub fn against(
         self,
         topic: Topic,
-        subject: impl Into<String>,
+        subject: impl Into<Subject>,
         demand: f64,
         otherwise: Status,
     ) -> Check {
@@ -127,7 +128,7 @@ impl Worked {
     }
 
     /// The value as a utilisation, to be at most 1; `otherwise` is the status if it is larger.
-    pub fn utilised(self, topic: Topic, subject: impl Into<String>, otherwise: Status) -> Check {
+    pub fn utilised(self, topic: Topic, subject: impl Into<Subject>, otherwise: Status) -> Check {
         let demand = self.value;
         let mut check = self.information(topic, subject);
         check.judge(demand, 1.0, otherwise);
@@ -138,6 +139,7 @@ impl Worked {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::subject::Part;
 
     #[test]
     fn a_resistance_becomes_a_check() {
@@ -146,32 +148,32 @@ mod tests {
                 Worked::of("3.6.1", CheckId::BoltTension, "F", Traced::from(90e3), Unit::Force)
                     .with("k2", 0.9, Unit::Number)
             };
-        let check = worked().against(Topic::Bolts, "row 1", 99e3, Status::Failed);
+        let check = worked().against(Topic::Bolts, Part::BoltRows, 99e3, Status::Failed);
         assert_eq!((check.status, check.utilisation), (Status::Failed, Some(1.1)));
         assert_eq!(
-            worked().against(Topic::Bolts, "row 1", 90e3, Status::Failed).status,
+            worked().against(Topic::Bolts, Part::BoltRows, 90e3, Status::Failed).status,
             Status::Ok
         );
         assert_eq!(
-            worked().against(Topic::Bolts, "row 1", 99e3, Status::Warning).status,
+            worked().against(Topic::Bolts, Part::BoltRows, 99e3, Status::Warning).status,
             Status::Warning
         );
         let share = |value: f64| {
             Worked::of("6.2.7.1", CheckId::MomentAndAxial, "M", Traced::from(value), Unit::Number)
         };
         assert_eq!(
-            share(0.9).utilised(Topic::Bolts, "row 1", Status::Failed).utilisation,
+            share(0.9).utilised(Topic::Bolts, Part::BoltRows, Status::Failed).utilisation,
             Some(0.9)
         );
         assert_eq!(
-            share(1.01).utilised(Topic::Bolts, "row 1", Status::Failed).status,
+            share(1.01).utilised(Topic::Bolts, Part::BoltRows, Status::Failed).status,
             Status::Failed
         );
         assert_eq!(
-            share(f64::NAN).utilised(Topic::Bolts, "row 1", Status::Failed).status,
+            share(f64::NAN).utilised(Topic::Bolts, Part::BoltRows, Status::Failed).status,
             Status::Failed
         );
-        let check = worked().information(Topic::Bolts, "row 1");
+        let check = worked().information(Topic::Bolts, Part::BoltRows);
         assert_eq!(
             (check.status, check.demand, check.resistance),
             (Status::Information, None, Some(90e3))

@@ -4,6 +4,7 @@
 //! `BRACKET_UPDATE_GOLDEN=1 cargo test --release --test joints golden`.
 
 use bracket::checks::formula::Traced;
+use bracket::checks::subject::{Part, Place};
 use bracket::checks::{Check, CheckId, Judgement, Status, Topic, Unit, Worked};
 use bracket::model::AnalysisKind;
 use bracket::report::markdown::compose::report_markdown;
@@ -115,7 +116,7 @@ fn case(name: &str) -> CaseResult {
 
 fn checks() -> Vec<Check> {
     let table = |title| ("EN 1993-1-8:2005 Table 3.3", title);
-    let plate = (Topic::Detailing, "end plate");
+    let plate = (Topic::Detailing, Part::EndPlate);
     let (f_ub, a_s) = (Traced::stress("f_ub", 800.0), Traced::area("A_s", 192.0));
     let force = Traced::number("k2", 0.9) * f_ub * a_s / Traced::number("γ_M2", 1.25);
     let tension = Worked::of(
@@ -125,6 +126,7 @@ fn checks() -> Vec<Check> {
         force,
         Unit::Force,
     );
+    let bolt = Place::Bolt { size: "M18".into(), grade: "8.8".into() };
     let d0 = |factor: f64| Traced::from(factor) * Traced::length("d0", 20.0);
     vec![
         Check::at_least(plate, table(CheckId::EdgeDistance), "e2", d0(1.2), 22.0, Status::Failed),
@@ -140,7 +142,7 @@ fn checks() -> Vec<Check> {
         tension
             .with("k2", 0.9, Unit::Number)
             .with("A_s", 192.0, Unit::Area)
-            .information(Topic::Bolts, "M18 8.8"),
+            .information(Topic::Bolts, bolt),
     ]
 }
 

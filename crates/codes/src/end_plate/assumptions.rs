@@ -2,6 +2,7 @@
 
 use super::column_forces::{ColumnForces, corner};
 use crate::check::{Check, CheckId, Status, Topic, Unit};
+use crate::subject::{Part, Place};
 use bracket_joint::assembly::{EndPlate, NotChecked, UnseenLoad};
 
 /// Loads that the checks leave out.
@@ -9,7 +10,7 @@ pub(super) fn unseen_loads(e: &EndPlate) -> Vec<Check> {
     let unseen = |l: &UnseenLoad| {
         let (clause, id) = ("EN 1993-1-8:2005 6.2", CheckId::LoadsNotHeld);
         let topic = Topic::ComponentMethod;
-        Check::undecided(topic, "joint", clause, id, l.why.clone(), &l.step).of_case(&l.case)
+        Check::undecided(topic, Part::Joint, clause, id, l.why.clone(), &l.step).of_case(&l.case)
     };
     e.unseen.iter().map(unseen).collect()
 }
@@ -19,7 +20,7 @@ pub(super) fn unseen_loads(e: &EndPlate) -> Vec<Check> {
 pub(super) fn not_checked(e: &EndPlate) -> Vec<Check> {
     let check = |n: &NotChecked| {
         let (topic, id) = (Topic::Member, CheckId::NotChecked);
-        let (label, clause) = (n.label.clone(), "EN 1993-1-8:2005 2.4");
+        let (label, clause) = (Place::Named(n.label.clone()), "EN 1993-1-8:2005 2.4");
         let check = match n.binds {
             true => Check::undecided(topic, label, clause, id, n.why.clone(), n.step),
             false => {
@@ -34,10 +35,12 @@ pub(super) fn not_checked(e: &EndPlate) -> Vec<Check> {
 
 /// Fillet welds of steels for which Table 4.1 has no β_w: the code gives them no strength.
 pub(super) fn no_weld_strength(e: &EndPlate) -> Vec<Check> {
-    let column =
-        e.column.as_ref().map(|c| (c.stiffener_throat.max(c.doubler_throat), &c.steel, "column"));
+    let column = e
+        .column
+        .as_ref()
+        .map(|c| (c.stiffener_throat.max(c.doubler_throat), &c.steel, Part::Column));
     let beam = e.beam_steel.weaker(&e.plate_steel);
-    let beam = (e.flange_throat.max(e.web_throat).max(e.rib_throat), beam, "beam and end plate");
+    let beam = (e.flange_throat.max(e.web_throat).max(e.rib_throat), beam, Part::BeamAndEndPlate);
     let without = column
         .into_iter()
         .chain([beam])
@@ -69,13 +72,13 @@ pub(super) fn assumptions(e: &EndPlate) -> Vec<Check> {
              takes them to develop everywhere"
         }
     };
-    let mut out = vec![Check::assumption(topic, "T-stubs", clause, id, rule)];
+    let mut out = vec![Check::assumption(topic, Part::TStubs, clause, id, rule)];
     if e.outer_gauge > 0.0 {
         let (clause, id) = ("EN 1993-1-8:2005 6.2.4", CheckId::FourBolts);
         let words = "the code has no rule of its own: the checks count the inner two of every row \
                      alone, in tension, shear and slip, on the safe side; the analysis has all \
                      four";
-        out.push(Check::assumption(topic, "bolts", clause, id, words));
+        out.push(Check::assumption(topic, Part::Bolts, clause, id, words));
     }
     let Some(c) = &e.column else { return out };
     let (clause, id) = ("EN 1993-1-8:2005 6.2.6.2(2)", CheckId::WebLongitudinal);
@@ -95,6 +98,6 @@ pub(super) fn assumptions(e: &EndPlate) -> Vec<Check> {
                  (k_wc falls to 0.7 at f_y)"
             .into(),
     };
-    out.push(Check::assumption(topic, "column web", clause, id, words));
+    out.push(Check::assumption(topic, Part::ColumnWeb, clause, id, words));
     out
 }

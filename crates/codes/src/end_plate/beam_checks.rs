@@ -5,6 +5,7 @@ use crate::eurocode::i_section::Section;
 use crate::eurocode::section::{Class, CrossSection, Slenderness, shear_reduction};
 use crate::eurocode::yielding::{plastic_shear, yield_strength};
 use crate::formula::{Derivation, Formula, Number, Traced};
+use crate::subject::{Part, Subject};
 use crate::worked::Worked;
 use bracket_joint::assembly::{EndPlate, PlaneActions};
 
@@ -20,7 +21,7 @@ pub(super) fn beam(e: &EndPlate, a: &PlaneActions) -> Vec<Check> {
         fy: e.beam_steel.fy,
         gamma_m0: e.factors.gamma_m0,
     };
-    let subject = format!("{}, beam", a.end);
+    let subject = Subject::end(&a.end).and(Part::Beam);
     let against = |worked: Worked, demand: f64| {
         worked.against(Topic::Member, subject.clone(), demand.abs(), Status::Failed)
     };
@@ -202,7 +203,7 @@ fn twisted(
     torsion_constant: f64,
     torsion: f64,
     [vy, vz]: [f64; 2],
-    subject: &str,
+    subject: &Subject,
 ) -> Vec<Check> {
     let s = &beam.section;
     let [f_y, gamma] =
@@ -218,7 +219,9 @@ fn twisted(
     let undecided = |worked: Worked, demand: f64| {
         let step = "less torsion, a beam with a larger I_t, or a check of the torsion with \
                     warping by another method";
-        worked.against(Topic::Member, subject, demand.abs(), Status::Undecided).decided_by(step)
+        worked
+            .against(Topic::Member, subject.clone(), demand.abs(), Status::Undecided)
+            .decided_by(step)
     };
     let mut out = vec![undecided(worked, torsion)];
     let stress = Traced::symbol("T_Ed", torsion.abs(), Unit::Moment) * thickest / constant;

@@ -17,7 +17,7 @@ use crate::eurocode::bolts::{shear_resistance, tension_resistance};
 use crate::eurocode::interaction::{self, Forces};
 use crate::eurocode::punching::{mean_diameter, punching_resistance};
 use crate::formula::{Derivation, Number, Traced};
-use crate::subject::Part;
+use crate::subject::{Part, Place, Subject};
 use crate::worked::Worked;
 use bracket_joint::assembly::{EndPlate, Way};
 
@@ -123,15 +123,16 @@ impl<'a> BoltForces<'a> {
         self.rows.iter().copied().zip(pairs).collect()
     }
 
-    fn place(&self, row: Row) -> String {
-        format!("{}, row at z = {} mm", self.end, n(row.z))
+    fn place(&self, row: Row) -> Subject {
+        Subject::end(self.end).and(Place::Rows(vec![row.z]))
     }
 
     /// The place of a check in which tension beyond F_t,Rd does not count.
-    fn capped_place(&self, row: Row) -> String {
-        let capped =
-            if row.tension > self.tension_resistance { ", tension capped at F_t,Rd" } else { "" };
-        format!("{}{capped}", self.place(row))
+    fn capped_place(&self, row: Row) -> Subject {
+        match row.tension > self.tension_resistance {
+            true => self.place(row).and(Place::Capped),
+            false => self.place(row),
+        }
     }
 
     /// The row with the largest tension.
@@ -162,7 +163,7 @@ impl<'a> BoltForces<'a> {
             out.extend(self.block_tearing(&plate));
             if across != 0.0 {
                 out.extend(self.bearing_across(&plate));
-                let place = format!("{}, {}", plate.part.words(), self.end);
+                let place = Subject::from(plate.part).and(Subject::end(self.end));
                 let block = block_across(self.e, &plate);
                 out.push(block.against(Topic::Bolts, place, across.abs(), Status::Failed));
             }
@@ -188,7 +189,7 @@ impl<'a> BoltForces<'a> {
                 Unit::Force,
             );
         }
-        worked.against(Topic::Bolts, self.end, self.shear, Status::Failed)
+        worked.against(Topic::Bolts, Subject::end(self.end), self.shear, Status::Failed)
     }
 
     /// Tension of the bolts of the row that is pulled most.
@@ -230,7 +231,7 @@ impl<'a> BoltForces<'a> {
             pair.into_iter().filter_map(of).collect::<Vec<_>>()
         });
         let (row, force, worked) = largest(each, |(_, force, worked)| force / worked.value)?;
-        let place = format!("{}, {}", plate.part.words(), self.place(row));
+        let place = Subject::from(plate.part).and(self.place(row));
         Some(worked.against(Topic::Bolts, place, force, Status::Failed))
     }
 
@@ -243,7 +244,7 @@ impl<'a> BoltForces<'a> {
             (row, force, bearing_across(self.e, plate, hole, row.z))
         });
         let (row, force, worked) = largest(each, |(_, force, worked)| force / worked.value)?;
-        let place = format!("{}, {}", plate.part.words(), self.place(row));
+        let place = Subject::from(plate.part).and(self.place(row));
         Some(worked.against(Topic::Bolts, place, force, Status::Failed))
     }
 
@@ -270,7 +271,7 @@ impl<'a> BoltForces<'a> {
             fu: plate.fu,
         };
         let worked = blocks.resistance(e.factors.gamma_m0, e.factors.gamma_m2);
-        let place = format!("{}, {}", plate.part.words(), self.end);
+        let place = Subject::from(plate.part).and(Subject::end(self.end));
         Some(worked.against(Topic::Bolts, place, self.force[1].abs(), Status::Failed))
     }
 
@@ -284,7 +285,7 @@ impl<'a> BoltForces<'a> {
             e.factors.gamma_m2,
         );
         let worked = self.note_cap(worked, row.tension);
-        let place = format!("{}, {}", plate.part.words(), self.capped_place(row));
+        let place = Subject::from(plate.part).and(self.capped_place(row));
         Some(worked.against(Topic::Bolts, place, self.capped(row.tension), Status::Failed))
     }
 }

@@ -9,7 +9,7 @@ use super::clamped_plates::ClampedPlate;
 use crate::check::{Check, CheckId, Topic, Unit, number as n};
 use crate::eurocode::bearing::{Along, Hole};
 use crate::eurocode::block_tearing::Blocks;
-use crate::subject::Part;
+use crate::subject::{Part, Subject};
 use crate::worked::Worked;
 use bracket_joint::assembly::{EndPlate, Way};
 
@@ -51,7 +51,7 @@ pub(super) fn shear_forces(bolts: &[GroupBolt], [vy, vz]: [f64; 2]) -> Vec<[f64;
 }
 
 /// What the checks take Vy to do.
-pub(super) fn assumption(bolts: &[GroupBolt], place: &str, vy: f64) -> Check {
+pub(super) fn assumption(bolts: &[GroupBolt], end: &str, vy: f64) -> Check {
     let [_, z] = centre(bolts);
     let words = format!(
         "Vy = {} acts in the axis of the beam; the bolts carry it with its moment about their \
@@ -61,7 +61,7 @@ pub(super) fn assumption(bolts: &[GroupBolt], place: &str, vy: f64) -> Check {
         n(z)
     );
     let (clause, id) = ("EN 1993-1-8:2005 3.12, Table 3.4", CheckId::ShearAcross);
-    Check::assumption(Topic::Bolts, place, clause, id, words)
+    Check::assumption(Topic::Bolts, Subject::end(end), clause, id, words)
 }
 
 /// Distance of a row at `z` from the nearer end of a plate, above or below \[mm\]; infinite where

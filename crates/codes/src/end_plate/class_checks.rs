@@ -4,12 +4,11 @@
 use super::column_forces::columns;
 use super::member_end::MemberEnd;
 use crate::check::{Check, CheckId, Topic, Unit, number as n, within};
-use crate::classification::{
-    Frame, STIFF_COLUMNS, StiffnessLimits, stiffness_limits, strength_class,
-};
+use crate::classification::{STIFF_COLUMNS, StiffnessLimits, stiffness_limits, strength_class};
 use crate::component_method::stiffness::at_moment;
 use crate::eurocode::yielding::plastic;
 use crate::formula::{Derivation, Formula, Line, Number, Relation, Traced};
+use crate::subject::{Frame, Place};
 use crate::worked::Worked;
 use bracket_joint::assembly::EndPlate;
 
@@ -127,12 +126,9 @@ fn stiffness_classes(end: &MemberEnd<'_>) -> Vec<Check> {
         )
         .into(),
     };
-    let each = [
-        (Frame::Braced, "braced frame", Derivation::default()),
-        (Frame::Unbraced, "other frames", storey),
-    ];
-    let class = |(frame, words, note): (Frame, &'static str, Derivation)| {
-        let place = format!("{}, {words}", end.subject());
+    let each = [(Frame::Braced, Derivation::default()), (Frame::Unbraced, storey)];
+    let class = |(frame, note): (Frame, Derivation)| {
+        let place = end.subject().and(Place::Frame(frame));
         let stiffness = Traced::symbol("S_j,ini", initial, Unit::Rotational);
         let Some(limits) = limits(e, frame) else {
             let (k_b, young) = (frame.factor(), Traced::stress("E", e.beam_steel.e));

@@ -6,13 +6,14 @@ use crate::check::{Check, CheckId, Status, Topic, Unit, number as n, within};
 use crate::eurocode::section::CrossSection;
 use crate::eurocode::yielding::plastic;
 use crate::formula::{Derivation, Traced};
+use crate::subject::Part;
 use crate::worked::Worked;
 use bracket_joint::assembly::{ColumnSide, EndPlate};
 
 /// Clause of the section's resistance to several forces.
 const CLAUSE: &str = "EN 1993-1-1:2005 6.2.8 to 6.2.10";
 /// Subject of the checks.
-const SUBJECT: &str = "column";
+const SUBJECT: Part = Part::Column;
 
 /// The check of the moment.
 const MOMENT: CheckId = CheckId::ColumnMoment;

@@ -4,6 +4,7 @@ use crate::check::{CheckId, Unit, number as n, within};
 use crate::component_method::Assessment;
 use crate::component_method::equilibrium::{Carried, Equilibrium, SMALL_AXIAL};
 use crate::formula::{Derivation, Formula, Number, Traced};
+use crate::subject::Sense;
 use crate::worked::Worked;
 use bracket_joint::assembly::{EndPlate, PlaneActions};
 use serde::{Deserialize, Serialize};
@@ -18,8 +19,8 @@ pub(super) struct Method {
     pub equilibrium: Option<Equilibrium>,
     /// β.
     pub beta: f64,
-    /// Sense of bending in words.
-    pub sense: &'static str,
+    /// Sense of bending.
+    pub sense: Sense,
 }
 
 impl Method {
@@ -219,7 +220,7 @@ impl Comparison {
         Self {
             case: a.case.clone(),
             end: a.end.clone(),
-            sense: method.sense.into(),
+            sense: method.sense.words().into(),
             beta: method.beta,
             demand: a.at(1.0)[1][1],
             resistance: method.moment,

@@ -5,6 +5,7 @@ use super::bolt_holes::{CLEARANCES, Clearance};
 use crate::check::{Check, CheckId, Topic, Unit, number as n};
 use crate::eurocode::bearing::Hole;
 use crate::formula::Traced;
+use crate::subject::Part;
 use crate::worked::Worked;
 use bracket_joint::assembly::EndPlate;
 
@@ -41,5 +42,5 @@ pub(super) fn holes(e: &EndPlate) -> Vec<Check> {
             }
         ));
     }
-    vec![worked.information(Topic::Detailing, "holes")]
+    vec![worked.information(Topic::Detailing, Part::Holes)]
 }

@@ -11,7 +11,6 @@ use super::joint_stiffness::PureMoment;
 use super::loaded_welds;
 use super::member_end::{LoadedEnd, MemberEnd, subject};
 use super::method_record::MethodRecord;
-use super::sense::Sense;
 use super::slip_checks::slip;
 use super::stiffener_checks::{doubler_welds, stiffeners};
 use super::transformation::beta;
@@ -19,6 +18,7 @@ use super::weld_checks;
 use crate::check::{Check, CheckId, Status, Topic, Unit, within};
 use crate::eurocode::i_section::Section;
 use crate::eurocode::yielding::plastic_shear;
+use crate::subject::{Sense, Subject};
 use bracket_joint::assembly::{EndPlate, PlaneActions};
 
 /// Adds the checks of every load case and member end.
@@ -86,8 +86,8 @@ pub(super) fn checks(e: &EndPlate, out: &mut HandChecks) {
 /// above half of its resistance. `None` where it is that of the sense of bending, or of an earlier
 /// case.
 fn of_its_own(end: &MemberEnd<'_>, known: &[MethodRecord]) -> Option<MethodRecord> {
-    let subject = format!("{}, {}, {}", end.a.case, end.a.end, end.sense.words());
-    let turned = end.sense.of(&end.joint);
+    let subject = format!("{}, {}", end.a.case, end.subject());
+    let turned = end.joint.turned(end.sense);
     let own = MethodRecord::new(&subject, true, end.sense, &turned, &end.assessment);
     let same = |o: &MethodRecord| MethodRecord { subject: own.subject.clone(), ..o.clone() } == own;
     (!known.iter().any(same)).then_some(own)
@@ -121,7 +121,7 @@ fn no_formula(a: &PlaneActions) -> Vec<Check> {
     let check = |(name, moment, id, why, step): (_, _, _, _, &str)| {
         let (clause, value) = ("EN 1993-1-8:2005 6.2", Unit::Moment.show(moment));
         let why = format!("{name} = {value}: {why}");
-        Check::undecided(Topic::Bolts, a.end.clone(), clause, id, why, step)
+        Check::undecided(Topic::Bolts, Subject::end(&a.end), clause, id, why, step)
     };
     acts.map(check).collect()
 }

@@ -8,6 +8,7 @@ use crate::eurocode::welds::{
     LineForce, WeldedSteel, either_method, full_strength_throat, transverse,
 };
 use crate::formula::{Derivation, Formula, Line, Number, Traced};
+use crate::subject::{Part, Subject};
 use crate::worked::Worked;
 use bracket_joint::assembly::{EndPlate, PlaneActions};
 
@@ -86,12 +87,12 @@ pub(super) fn under_load(e: &EndPlate, a: &PlaneActions) -> Vec<Check> {
     let [[axial, vy, vz], [_, my, _]] = a.at(1.0);
     let forces = flange_forces(e, axial, my);
     if e.flange_throat > 0.0 {
-        let subject = format!("{}, beam flange", a.end);
-        out.push(flange(e, &forces, vy, &steel, subject.clone()));
+        let subject = Subject::end(&a.end).and(Part::BeamFlange);
+        out.push(flange(e, &forces, vy, &steel, subject));
     }
     if e.web_throat > 0.0 {
-        let subject = format!("{}, beam web", a.end);
-        out.extend(web(e, &forces, vz, &steel, &subject));
+        let subject = Subject::end(&a.end).and(Part::BeamWeb);
+        out.extend(web(e, &forces, vz, &steel, subject));
     }
     out
 }
@@ -103,7 +104,7 @@ fn flange(
     forces: &FlangeForces,
     vy: f64,
     steel: &WeldedSteel,
-    subject: String,
+    subject: Subject,
 ) -> Check {
     let (a, length) = (e.flange_throat, weld_lengths::flange(e));
     let l = length.traced();
@@ -154,7 +155,7 @@ fn web(
     forces: &FlangeForces,
     vz: f64,
     steel: &WeldedSteel,
-    subject: &str,
+    subject: Subject,
 ) -> Option<Check> {
     let length = weld_lengths::web(e);
     if length.value <= 0.0 {

@@ -1,7 +1,6 @@
 //! The component method of a sense of bending with all numbers from which M_j,Rd follows, so that
 //! a reader can compute it again.
 
-use super::sense::Sense;
 use crate::check::{CheckId, Step};
 use crate::component_method::assembly::{Limit, RowForce};
 use crate::component_method::joint::EndPlateJoint;
@@ -9,6 +8,7 @@ use crate::component_method::rows::Component;
 use crate::component_method::stiffness::RowStiffness;
 use crate::component_method::t_stub::{Mode, Prying};
 use crate::component_method::{Assessment, Summed};
+use crate::subject::Sense;
 use crate::worked::Worked;
 use serde::{Deserialize, Serialize};
 

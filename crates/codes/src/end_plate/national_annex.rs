@@ -4,7 +4,7 @@ use super::clamped_plates::clamped;
 use crate::check::{Binding, Check, CheckId, Status, Topic};
 use crate::ductility::{Clamped, plastic_distribution};
 use crate::formula::{Number, Traced};
-use crate::subject::Part;
+use crate::subject::{Part, Place};
 use bracket_joint::assembly::EndPlate;
 use bracket_joint::spec::code::FySource;
 
@@ -30,8 +30,7 @@ pub(super) fn is_uk(e: &EndPlate) -> bool {
 /// # Source
 /// UK National Annex to BS EN 1993-1-8, NA.2.7; SCI P398, 2.
 pub(super) fn triangular(e: &EndPlate) -> bool {
-    let holds =
-        |(part, c): (Part, Clamped)| plastic_distribution(part.words(), &c).status == Status::Ok;
+    let holds = |(part, c): (Part, Clamped)| plastic_distribution(part, &c).status == Status::Ok;
     is_uk(e) && !clamped(e).any(holds)
 }
 
@@ -43,7 +42,7 @@ pub(super) fn checks(e: &EndPlate) -> Vec<Check> {
         Some(GERMANY) => german(e),
         Some(other) => vec![Check::assumption(
             Topic::Detailing,
-            format!("annex {other}"),
+            Place::Annex(other.into()),
             "national annex",
             CheckId::AnnexNotCovered,
             "the partial factors of the annex are used and nothing else: its choices in EN \
@@ -63,17 +62,18 @@ fn british(e: &EndPlate) -> Vec<Check> {
         "end plate or column flange is thin enough for its bolts, t ≤ (d/1.9) √(f_ub/f_y): the \
          rows may reach their plastic forces"
     };
-    let mut out = vec![Check::assumption(Topic::ComponentMethod, "bolt rows", clause, id, words)];
+    let mut out =
+        vec![Check::assumption(Topic::ComponentMethod, Part::BoltRows, clause, id, words)];
     if e.fy_source == FySource::Table31 {
         let (clause, id) = ("UK NA to BS EN 1993-1-1, NA.2.4", CheckId::AnnexYieldStrengths);
         let words = "f_y and f_u are those of Table 3.1; this annex asks for those of the product \
                      standard, which are lower above 16 mm: code.fy_source: product_standard";
-        let check = Check::assumption(Topic::Detailing, "annex UK", clause, id, words);
+        let check = Check::assumption(Topic::Detailing, Place::Annex(UK.into()), clause, id, words);
         out.push(Check { status: Status::Warning, ..check });
     }
     out.push(Check::assumption(
         Topic::Detailing,
-        "annex UK",
+        Place::Annex(UK.into()),
         "UK NA to BS EN 1993-1-8",
         CheckId::AnnexNotCovered,
         "its choices in EN 1993-1-8 3.1.1(3), bolt classes; 3.4.2(1), preload; 5.2.1(2), \
@@ -88,12 +88,12 @@ fn german(e: &EndPlate) -> Vec<Check> {
     if GERMAN_EXCLUDED.contains(&e.grade.grade.as_str()) {
         let (clause, id) = ("DIN EN 1993-1-8/NA, NDP to 3.1.1(3)", CheckId::AnnexBoltClass);
         let words = format!("bolts of class {} may not be used in Germany", e.grade.grade);
-        let check = Check::assumption(Topic::Detailing, "bolts", clause, id, words);
+        let check = Check::assumption(Topic::Detailing, Part::Bolts, clause, id, words);
         out.push(Check { status: Status::Failed, binding: Binding::Beside, ..check });
     }
     out.push(Check::assumption(
         Topic::Detailing,
-        "annex DE",
+        Place::Annex(GERMANY.into()),
         "DIN EN 1993-1-8/NA",
         CheckId::AnnexNotCovered,
         "its rules to EN 1993-1-8 3.1.1, galvanised bolts; 3.4.2(1), preload F_p,C* and its \
@@ -110,20 +110,20 @@ fn german(e: &EndPlate) -> Vec<Check> {
 /// The annex lets the welding conditions waive it, with a ≥ 5 mm for t ≥ 30 mm.
 fn german_throats(e: &EndPlate) -> Vec<Check> {
     let mut welds = vec![
-        ("beam flange", e.flange_throat, e.beam.tf.max(e.thickness)),
-        ("beam web", e.web_throat, e.beam.tw.max(e.thickness)),
-        ("rib", e.rib_throat, e.rib.max(e.thickness).max(e.beam.tf)),
+        (Part::BeamFlange, e.flange_throat, e.beam.tf.max(e.thickness)),
+        (Part::BeamWeb, e.web_throat, e.beam.tw.max(e.thickness)),
+        (Part::Rib, e.rib_throat, e.rib.max(e.thickness).max(e.beam.tf)),
     ];
     if let Some(c) = &e.column {
         let (s, t) = (&c.section, c.stiffener.max(c.section.tf));
-        welds.push(("column stiffeners", c.stiffener_throat, t.max(s.tw)));
-        welds.push(("web doubler", c.doubler_throat, c.doubler.max(s.tw)));
+        welds.push((Part::Stiffeners, c.stiffener_throat, t.max(s.tw)));
+        welds.push((Part::Doubler, c.doubler_throat, c.doubler.max(s.tw)));
     }
-    let there = |(part, a, t): (&str, f64, f64)| {
+    let there = |(part, a, t): (Part, f64, f64)| {
         let exists = match part {
-            "rib" => e.rib > 0.0,
-            "column stiffeners" => e.column.as_ref().is_some_and(|c| c.stiffener > 0.0),
-            "web doubler" => e.column.as_ref().is_some_and(|c| c.doubler > 0.0),
+            Part::Rib => e.rib > 0.0,
+            Part::Stiffeners => e.column.as_ref().is_some_and(|c| c.stiffener > 0.0),
+            Part::Doubler => e.column.as_ref().is_some_and(|c| c.doubler > 0.0),
             _ => true,
         };
         (exists && a > 0.0 && t >= GERMAN_THIN).then(|| {

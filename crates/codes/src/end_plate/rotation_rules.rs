@@ -3,13 +3,12 @@
 
 use super::clamped_plates::clamped;
 use super::national_annex;
-use super::sense::Sense;
 use crate::check::{Check, Status, within};
 use crate::component_method::equilibrium::SMALL_AXIAL;
 use crate::ductility::{Clamped, plastic_distribution, rotation_capacity};
 use crate::eurocode::yielding::plastic;
 use crate::formula::{Derivation, Formula, Line, Number, Relation, Traced};
-use crate::subject::Part;
+use crate::subject::{Part, Sense};
 use crate::unit::Unit;
 use bracket_joint::assembly::EndPlate;
 
@@ -51,8 +50,8 @@ impl RotationRules {
     pub fn new(e: &EndPlate) -> Self {
         let rules = |(part, c): (Part, Clamped)| PartRules {
             part,
-            by_code: rotation_capacity(part.words(), &c),
-            by_annex: national_annex::is_uk(e).then(|| plastic_distribution(part.words(), &c)),
+            by_code: rotation_capacity(part, &c),
+            by_annex: national_annex::is_uk(e).then(|| plastic_distribution(part, &c)),
         };
         Self { parts: clamped(e).map(rules).collect(), not_covered: not_covered(e) }
     }

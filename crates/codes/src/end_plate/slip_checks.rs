@@ -1,10 +1,12 @@
 //! Slip of preloaded bolts by their category, and the kind of bolt assemblies.
 
 use super::bolt_holes::Clearance;
+use super::bolt_rows::bolt;
 use super::hole_checks::holes;
 use crate::check::{Check, CheckId, Status, Topic, Unit, within};
 use crate::eurocode::slip::{preload, slip_resistance};
 use crate::formula::{Derivation, Formula, Number, Traced};
+use crate::subject::Subject;
 use crate::worked::Worked;
 use bracket_joint::assembly::{EndPlate, PlaneActions};
 use bracket_joint::spec::connection::BoltCategory;
@@ -48,7 +50,7 @@ pub(super) fn slip(e: &EndPlate, a: &PlaneActions) -> Option<Check> {
         let why = "Table 3.6 has no k_s for holes wider than oversize";
         let (clause, step) =
             ("EN 1993-1-8:2005 Table 3.6", "smaller holes (`parameters.hole_clearance`)");
-        let mut check = Check::undecided(Topic::Bolts, &a.end, clause, id, why, step);
+        let mut check = Check::undecided(Topic::Bolts, Subject::end(&a.end), clause, id, why, step);
         if otherwise != Status::Failed {
             check.status = Status::Warning;
         }
@@ -59,7 +61,7 @@ pub(super) fn slip(e: &EndPlate, a: &PlaneActions) -> Option<Check> {
     let shear = Traced::force("V_Ed", vy.hypot(vz)) / Traced::number("n_b", bolts);
     let demand = shear.value();
     let worked = worked.after(Formula::new("", shear, Unit::Force));
-    Some(worked.against(Topic::Bolts, a.end.clone(), demand, otherwise))
+    Some(worked.against(Topic::Bolts, Subject::end(&a.end), demand, otherwise))
 }
 
 /// Slip factor of class A, EN 1993-1-8:2005 Table 3.7.
@@ -67,7 +69,7 @@ const HIGHEST_CLASS: f64 = 0.5;
 
 /// Kind of the holes, preloaded assemblies, and the load cases that a category requires.
 pub(super) fn assembly(e: &EndPlate) -> Vec<Check> {
-    let subject = format!("{} {}", e.bolt.size, e.grade.grade);
+    let subject = bolt(e);
     let mut out = holes(e);
     if e.category == Some(BoltCategory::B)
         && !e.actions.is_empty()

@@ -16,6 +16,7 @@ use crate::component_method::column_web::compressed_thickness;
 use crate::component_method::{Assessment, ComponentKind, Summed, assess};
 use crate::eurocode::welds::{LineForce, either_method, full_strength_throat, least_size};
 use crate::formula::{Derivation, Formula, Number, Traced};
+use crate::subject::{Part, Place, Subject};
 use crate::worked::Worked;
 use bracket_joint::assembly::{ColumnSide, EndPlate, Way};
 use std::f64::consts::SQRT_2;
@@ -51,8 +52,8 @@ impl Stiffeners<'_> {
 
 /// Force of a pair of stiffeners beside the web \[N\].
 struct Share {
-    /// `compressed stiffeners` or `stiffeners in tension`.
-    side: &'static str,
+    /// Compressed stiffeners or stiffeners in tension.
+    side: Part,
     /// Flange of the beam that they are level with.
     level: Way,
     /// Force of the stiffeners on both sides of the web.
@@ -76,7 +77,7 @@ pub(super) fn stiffeners(loaded: &LoadedEnd<'_>) -> Vec<Check> {
     let mut without = component_joint(e, beta);
     without.column.iter_mut().for_each(|c| c.stiffener = 0.0);
     // the tables covered the joint with stiffeners, so they cover it without them
-    let Ok(bare) = assess(&loaded.end.sense.of(&without)) else { return Vec::new() };
+    let Ok(bare) = assess(&without.turned(loaded.end.sense)) else { return Vec::new() };
     let s = Stiffeners { c, gamma_m0: e.factors.gamma_m0 };
     let doublers = without.column.as_ref().map_or(0, |c| c.doublers);
     let mut out = Vec::new();
@@ -122,11 +123,11 @@ fn compression(
     let worked = Worked::of(clause, id, "F_Rd", both.clone(), Unit::Force)
         .with("b_eff", width, Unit::Length)
         .with("ω", omega, Unit::Number);
-    let place = loaded.place("compressed stiffeners");
+    let place = loaded.place(Part::CompressedStiffeners);
     let check = worked.against(Topic::Member, place, loaded.push, Status::Failed);
     let force = s.resistance() / both * Traced::force("F_c,Ed", loaded.push);
     let level = loaded.end.sense.compressed();
-    Some((check, Share { side: "compressed stiffeners", level, force }))
+    Some((check, Share { side: Part::CompressedStiffeners, level, force }))
 }
 
 /// Net section of the stiffeners at the flange in tension, under the rows above and below: the
@@ -173,10 +174,10 @@ fn tension(
     if let Some(width) = web.worked.step("b_eff") {
         worked = worked.with("b_eff of the web", width, Unit::Length);
     }
-    let place = loaded.place("stiffeners in tension");
+    let place = loaded.place(Part::StiffenersInTension);
     let check = worked.against(Topic::Member, place, demand, Status::Failed);
     let level = loaded.end.sense.pulled();
-    Some((check, Share { side: "stiffeners in tension", level, force }))
+    Some((check, Share { side: Part::StiffenersInTension, level, force }))
 }
 
 /// Width of one stiffener in contact with the flange of the column \[mm\].
@@ -198,7 +199,7 @@ pub(super) fn least_sizes(e: &EndPlate) -> Vec<Check> {
     if c.stiffener > 0.0 && c.stiffener_throat > 0.0 {
         let [flange, web] = seam_lengths(e, c);
         let shorter = flange.value.min(web.value);
-        out.extend(least_size("column stiffeners", c.stiffener_throat, shorter));
+        out.extend(least_size(Part::Stiffeners, c.stiffener_throat, shorter));
     }
     out.extend(doubler_throat(c));
     out
@@ -212,7 +213,7 @@ fn doubler_throat(c: &ColumnSide) -> Option<Check> {
     let counts = c.doubler > 0.0 && c.doubler_throat > 0.0 && doubler_fault(c).is_none();
     let what = ("EN 1993-1-8:2005 6.2.6.3", CheckId::DoublerThroat);
     let rule = Traced::length("t_s", c.doubler) / Traced::from(2.0).sqrt();
-    let (topic, throat) = ((Topic::Welds, "web doubler"), c.doubler_throat);
+    let (topic, throat) = ((Topic::Welds, Part::Doubler), c.doubler_throat);
     counts.then(|| Check::at_least(topic, what, "a", rule, throat, Status::Failed))
 }
 
@@ -238,7 +239,7 @@ fn stiffener_welds(
     let full = full_strength_throat(c.stiffener, c.steel.fy, s.gamma_m0, &steel);
     let seams = |share: &Share| 2.0 * seams(e, c, share.level);
     // compared as forces, so that welds without any effective length fail
-    let all = |count: f64, (force, before): (f64, Derivation), across: bool, place: String| {
+    let all = |count: f64, (force, before): (f64, Derivation), across: bool, place: Subject| {
         let length = if across { &flange } else { &web };
         let l = length.value.max(0.0);
         let line = if l > 0.0 { force / (count * l) } else { 0.0 };
@@ -260,7 +261,7 @@ fn stiffener_welds(
         worked.against(Topic::Welds, place, force, Status::Failed)
     };
     for share in shares {
-        let place = loaded.place(&format!("{} to the column flange", share.side));
+        let place = loaded.place(Place::Seam { of: share.side, to: Part::ColumnFlange });
         let force = share.brought(s);
         out.push(all(seams(share), (force.value, force.into()), true, place));
     }
@@ -268,7 +269,7 @@ fn stiffener_welds(
     if let Some(share) = largest(shares, |s| s.force.value() / seams(s)) {
         let force = Traced::force("F", share.brought(s).value);
         let force = Formula::new("F_Ed", Traced::number("β", beta) * force, Unit::Force);
-        let place = loaded.place(&format!("{} to the column web", share.side));
+        let place = loaded.place(Place::Seam { of: share.side, to: Part::ColumnWeb });
         out.push(all(seams(share), (force.value, force.into()), false, place));
     }
     out
@@ -294,7 +295,7 @@ pub(super) fn doubler_welds(end: &MemberEnd<'_>) -> Vec<Check> {
     let counts =
         |c: &&ColumnSide| c.doubler > 0.0 && c.doubler_throat > 0.0 && doubler_fault(c).is_none();
     let Some(c) = e.column.as_ref().filter(counts) else { return out };
-    let (subject, a) = (format!("{}, web doubler", end.a.end), c.doubler_throat);
+    let (subject, a) = (Subject::end(&end.a.end).and(Part::Doubler), c.doubler_throat);
     let (Some(steel), Some(panel)) = (welded_steel::of_the_column(e, c), &end.assessment.panel)
     else {
         return out;
@@ -330,5 +331,5 @@ pub(super) fn rib_weld(e: &EndPlate) -> Option<Check> {
     let full = full_strength_throat(e.rib, e.beam_steel.fy, e.factors.gamma_m0, &steel);
     let what = ("EN 1993-1-8:2005 4.5.3.2(6)", CheckId::RibThroat);
     let rule = welded_steel::full_throat(&full);
-    Some(Check::at_least((Topic::Welds, "rib"), what, "a", rule, e.rib_throat, Status::Failed))
+    Some(Check::at_least((Topic::Welds, Part::Rib), what, "a", rule, e.rib_throat, Status::Failed))
 }

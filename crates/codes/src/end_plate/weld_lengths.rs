@@ -2,6 +2,7 @@
 
 use crate::check::{Check, CheckId, Topic, Unit};
 use crate::formula::{Formula, Number, Traced};
+use crate::subject::Part;
 use bracket_joint::assembly::EndPlate;
 use bracket_joint::spec::welds::WeldEnds;
 
@@ -87,5 +88,5 @@ pub(super) fn rule(e: &EndPlate) -> Option<Check> {
         }
     };
     let (clause, id) = ("EN 1993-1-8:2005 4.5.1(1)", CheckId::WeldLengths);
-    Some(Check::assumption(Topic::Welds, "welds", clause, id, words))
+    Some(Check::assumption(Topic::Welds, Part::Welds, clause, id, words))
 }

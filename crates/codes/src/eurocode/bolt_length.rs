@@ -2,6 +2,7 @@
 
 use crate::check::{Check, CheckId, Status, Topic, within};
 use crate::formula::Traced;
+use crate::subject::Subject;
 use crate::unit::Unit;
 use crate::worked::Worked;
 use bracket_joint::catalog::BoltSize;
@@ -61,7 +62,13 @@ pub fn thread_length(bolt: &BoltSize, length: f64) -> f64 {
 /// # Source
 /// EN 1090-2 8.2.2: one full thread at least stays free between the bearing face of the nut and the
 /// unthreaded shank.
-pub fn shank_check(subject: &str, bolt: &BoltSize, length: f64, grip: f64, washers: u32) -> Check {
+pub fn shank_check(
+    subject: Subject,
+    bolt: &BoltSize,
+    length: f64,
+    grip: f64,
+    washers: u32,
+) -> Check {
     let [l, b] = [("l", length), ("b", thread_length(bolt, length))];
     let rule =
         Traced::length(l.0, l.1) - Traced::length(b.0, b.1) + Traced::length("pitch", bolt.pitch);

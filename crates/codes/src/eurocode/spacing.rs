@@ -2,6 +2,7 @@
 
 use crate::check::{Check, CheckId, Status, Topic};
 use crate::formula::{Number, Traced};
+use crate::subject::{Part, Subject};
 
 const TABLE: &str = "EN 1993-1-8:2005 Table 3.3";
 /// In place of a clause: the room that a socket wrench needs.
@@ -33,8 +34,8 @@ pub struct Pattern {
 ///
 /// # Source
 /// EN 1993-1-8:2005 Table 3.3.
-pub fn pattern_checks(subject: &str, p: &Pattern) -> Vec<Check> {
-    let what = (Topic::Detailing, subject);
+pub fn pattern_checks(part: Part, p: &Pattern) -> Vec<Check> {
+    let what = (Topic::Detailing, part);
     let least = |id, symbol: &'static str, factor: f64, provided: f64| {
         let rule = Traced::from(factor) * Traced::length("d0", p.d0);
         Check::at_least(what, (TABLE, id), symbol, rule, provided, Status::Failed)
@@ -71,7 +72,7 @@ pub fn pattern_checks(subject: &str, p: &Pattern) -> Vec<Check> {
 /// \[mm\].
 ///
 /// About `2 d + 5 mm`. No clause of the code: a shorter distance is a warning.
-pub fn wrench_check(subject: &str, distance: f64, d: f64) -> Check {
+pub fn wrench_check(subject: impl Into<Subject>, distance: f64, d: f64) -> Check {
     let what = (Topic::Detailing, subject);
     let rule = Traced::from(2.0) * Traced::length("d", d) + Traced::from(5.0);
     Check::at_least(
@@ -89,8 +90,8 @@ pub fn wrench_check(subject: &str, distance: f64, d: f64) -> Check {
 ///
 /// Washers and nuts must bear on plane surfaces (EN 1090-2 8.2). Plain bolts in normal holes need
 /// no washers (8.2.4), so a shorter distance is a warning.
-pub fn washer_check(subject: &str, distance: f64, washer: f64, root: f64) -> Check {
-    let what = (Topic::Detailing, subject);
+pub fn washer_check(part: Part, distance: f64, washer: f64, root: f64) -> Check {
+    let what = (Topic::Detailing, part);
     let rule = Traced::length("r", root) + Traced::length("d_w", washer) / Traced::from(2.0);
     let clear = ("EN 1090-2 8.2", CheckId::WasherClearOfRoot);
     Check::at_least(what, clear, "c", rule, distance, Status::Warning)

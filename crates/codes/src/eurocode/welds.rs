@@ -2,6 +2,7 @@
 
 use crate::check::{Check, CheckId, Status, Topic, within};
 use crate::formula::{Derivation, Formula, Number, Traced};
+use crate::subject::Part;
 use crate::unit::Unit;
 use crate::worked::Worked;
 use bracket_joint::strength::{Design, Nominal, WeldSteel};
@@ -222,8 +223,8 @@ pub fn full_strength_throat(
 ///
 /// # Source
 /// EN 1993-1-8:2005 4.5.2(2): a ≥ 3 mm; 4.5.1(2): l_eff ≥ max(30 mm, 6 a).
-pub fn least_size(subject: &str, throat: f64, effective_length: f64) -> [Check; 2] {
-    let of = (Topic::Welds, subject);
+pub fn least_size(part: Part, throat: f64, effective_length: f64) -> [Check; 2] {
+    let of = (Topic::Welds, part);
     let least = ("EN 1993-1-8:2005 4.5.2(2)", CheckId::LeastThroat);
     let length = ("EN 1993-1-8:2005 4.5.1(2)", CheckId::LeastWeldLength);
     let shortest = (Traced::from(6.0) * Traced::length("a", throat)).max(Traced::from(30.0));

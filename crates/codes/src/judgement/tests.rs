@@ -1,11 +1,12 @@
 use super::*;
 use crate::Worked;
 use crate::formula::Traced;
+use crate::subject::Part;
 use crate::{CheckId, Topic, Unit};
 
 fn check(topic: Topic, value: f64, case: Option<&str>) -> Check {
     let c = Worked::of("6.2", CheckId::MomentAndAxial, "u", Traced::from(value), Unit::Number);
-    let mut c = c.utilised(topic, "row", Status::Failed);
+    let mut c = c.utilised(topic, Part::BoltRows, Status::Failed);
     if topic == Topic::ComponentMethod {
         c = c.of_strength();
     }
@@ -120,7 +121,7 @@ fn what_is_missing_is_named_with_what_would_supply_it() {
     }
     let unknown = Check::undecided(
         Topic::Stability,
-        "panel",
+        Part::Panel,
         "6.2.6.1(1)",
         CheckId::Unseen,
         "69",
@@ -129,7 +130,7 @@ fn what_is_missing_is_named_with_what_would_supply_it() {
     .of_case("A");
     let line = of(std::slice::from_ref(&unknown), cut("A"));
     for words in [
-        "stability that a limit analysis does not see, panel (6.2.6.1(1)): 69; ",
+        "stability that a limit analysis does not see, column web panel (6.2.6.1(1)): 69; ",
         "what would decide it: a thick web",
         lacks,
     ] {
@@ -148,9 +149,15 @@ fn what_is_missing_is_named_with_what_would_supply_it() {
 fn no_bracket_overrules_what_limit_analysis_does_not_know() {
     let over = [check(Topic::ComponentMethod, 1.05, Some("A"))];
     assert_eq!(verdicts(&over, &["A"], Fine), [NotOk, NotOk, Fine]);
-    let unknown =
-        Check::undecided(Topic::Stability, "panel", "6.2.6.1(1)", CheckId::Unseen, "69", "a web")
-            .of_case("A");
+    let unknown = Check::undecided(
+        Topic::Stability,
+        Part::Panel,
+        "6.2.6.1(1)",
+        CheckId::Unseen,
+        "69",
+        "a web",
+    )
+    .of_case("A");
     assert_eq!(
         verdicts(std::slice::from_ref(&unknown), &["A"], Fine),
         [Undecided, Undecided, Fine]
@@ -162,7 +169,7 @@ fn no_bracket_overrules_what_limit_analysis_does_not_know() {
     // a bracket does not replace the checks of a joint that the component method does not cover
     let missing = Check::undecided(
         Topic::ComponentMethod,
-        "rows",
+        Part::BoltRows,
         "Table 6.6",
         CheckId::MethodResistance,
         "two outside",
@@ -218,7 +225,7 @@ fn the_last_line_names_what_governs() {
     let line = j.line(1, None);
     for words in [
         "verdict: NOT OK (by code NOT OK, by analysis OK)",
-        "B, moment and axial force of the joint, row, utilisation 1.05 (6.2)",
+        "B, moment and axial force of the joint, bolt rows, utilisation 1.05 (6.2)",
         "exit code 1",
     ] {
         assert!(line.contains(words), "{line}");
@@ -238,7 +245,7 @@ fn the_last_line_names_what_governs() {
 /// A strength without a load case governs like any other; a length that is kept never does.
 #[test]
 fn a_check_without_a_load_case_governs_where_it_is_used_most() {
-    let throat = ((Topic::Welds, "beam web"), ("4.5.2", CheckId::LeastThroat));
+    let throat = ((Topic::Welds, Part::BeamWeb), ("4.5.2", CheckId::LeastThroat));
     let kept = Check::at_least(throat.0, throat.1, "a", 5.0, 5.0, Status::Failed);
     let checks = [check(Topic::Bolts, 0.6, Some("A")), check(Topic::Welds, 0.9, None), kept];
     let j = judged(&checks, Analysed::not("A"));
@@ -247,7 +254,7 @@ fn a_check_without_a_load_case_governs_where_it_is_used_most() {
     // a recommendation that is followed never governs
     let advice =
         Worked::of("6.2.3(5)", CheckId::FlangeWeldOfHinge, "u", Traced::from(1.0), Unit::Number);
-    let advice = advice.utilised(Topic::Welds, "weld", Status::Warning);
+    let advice = advice.utilised(Topic::Welds, Part::Welds, Status::Warning);
     let checks = [check(Topic::Bolts, 0.6, Some("A")), advice];
     let governing = judged(&checks, Analysed::not("A")).governing.expect("one governs");
     assert_eq!(governing.utilisation, Some([0.6, 0.6]));

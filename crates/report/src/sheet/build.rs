@@ -84,7 +84,7 @@ fn joint_values(checks: &[Check]) -> Table {
             shown.unwrap_or_else(|| "–".into())
         };
         let ids = [CheckId::MomentResistance, CheckId::InitialStiffness, CheckId::ElasticStiffness];
-        std::iter::once(moment.subject.clone()).chain(ids.map(value)).collect()
+        std::iter::once(moment.subject.text()).chain(ids.map(value)).collect()
     };
     Table {
         columns: COLUMNS.map(String::from).into(),

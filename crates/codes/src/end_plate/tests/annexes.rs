@@ -80,7 +80,7 @@ fn uk_na_2_7_limits_the_rows_by_a_triangle() {
     let uk = "code: {annex: UK}\n";
     let forces = |h: &HandChecks| -> Vec<f64> {
         let row = |c: &&Check| {
-            c.subject.starts_with("tension at the top, row") && c.id() == CheckId::RowTension
+            c.subject.text().starts_with("tension at the top, row") && c.id() == CheckId::RowTension
         };
         h.checks.iter().filter(row).filter_map(|c| c.resistance).collect()
     };

@@ -30,7 +30,8 @@ pub(super) fn with(old: &str, new: &str) -> String {
 }
 
 pub(super) fn find<'a>(h: &'a HandChecks, subject: &str, title: &str) -> &'a Check {
-    let found = h.checks.iter().find(|c| c.subject.starts_with(subject) && c.id().title() == title);
+    let found =
+        h.checks.iter().find(|c| c.subject.text().starts_with(subject) && c.id().title() == title);
     found.unwrap_or_else(|| panic!("no `{title}` of `{subject}` in {:#?}", h.checks))
 }
 

@@ -42,8 +42,10 @@ fn splice(b: &Beam, steel: &str, throats: [f64; 2], actions: &str, more: &str) -
 
 fn weld<'a>(h: &'a HandChecks, part: &str) -> &'a Check {
     let place = format!("beam_right, {part}");
-    let found =
-        h.checks.iter().find(|c| c.subject == place && c.id().title().starts_with("fillet weld"));
+    let found = h
+        .checks
+        .iter()
+        .find(|c| c.subject.text() == place && c.id().title().starts_with("fillet weld"));
     found.unwrap_or_else(|| panic!("no weld of the {part}"))
 }
 
