@@ -3,7 +3,7 @@
 mod never_worse;
 
 use crate::numbers::Numbers;
-use bracket::assembly::Joint;
+use bracket::assembly::{Facts, Joint};
 use bracket::catalog::{Catalog, IProfile};
 use bracket::checks::design_code::build;
 use bracket::checks::verdict::{Route, Verdict};
@@ -19,7 +19,8 @@ fn checks(text: &str, catalog: &Catalog) -> Option<HandChecks> {
     let path = Path::new("joint.yaml");
     let spec =
         yaml::parse::<ConnectionSpec>(text, path).unwrap_or_else(|e| panic!("{e:?}: {text}"));
-    build(&spec, Path::new(""), catalog).ok()?.end_plate.as_ref().map(hand_checks)
+    let joint = build(&spec, Path::new(""), catalog).ok()?;
+    joint.facts.as_ref().map(|Facts::EndPlate(e)| hand_checks(e))
 }
 
 /// The verdict on the case `A`, given the verdict of its analysis.
@@ -426,7 +427,8 @@ fn four_bolts_in_a_row_are_listed_and_the_inner_two_are_checked() {
             .count()
     };
     assert_eq!((bolts(&four), bolts(&two)), (8, 4));
-    let (four, two) = (four.end_plate.expect("checks"), two.end_plate.expect("checks"));
+    let [Facts::EndPlate(four), Facts::EndPlate(two)] =
+        [four, two].map(|joint| joint.facts.expect("checks"));
     assert_eq!((four.bolt_count(), four.columns()), (8, vec![-110.0, -55.0, 55.0, 110.0]));
     let (four, two) = (hand_checks(&four), hand_checks(&two));
     assert!(

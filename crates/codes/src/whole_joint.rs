@@ -6,11 +6,11 @@ use super::worked::Worked;
 use crate::check::{CheckId, Status, Unit};
 use crate::formula::Traced;
 use crate::subject::Part;
-use bracket_joint::assembly::{Idle, Joint};
+use bracket_joint::assembly::{Facts, Idle, Joint};
 
 /// The hand checks of a joint, with those of the load cases in which nothing acts.
 pub fn joint_checks(joint: &Joint) -> HandChecks {
-    let mut out = joint.end_plate.as_ref().map(hand_checks).unwrap_or_default();
+    let mut out = joint.facts.as_ref().map(of_family).unwrap_or_default();
     let demands = || joint.idle.iter().filter(|i| i.demand);
     out.checks.extend(demands().map(nothing_acts));
     out.checks.sort_by_key(|c| c.topic);
@@ -18,6 +18,13 @@ pub fn joint_checks(joint: &Joint) -> HandChecks {
     out.serviceability.extend(service.map(|i| i.case.clone()));
     out.neglected.clone_from(&joint.neglected);
     out
+}
+
+/// The hand checks of a family of connections.
+fn of_family(facts: &Facts) -> HandChecks {
+    match facts {
+        Facts::EndPlate(e) => hand_checks(e),
+    }
 }
 
 /// The check of a load case in which nothing acts. It always holds.

@@ -224,6 +224,7 @@ fn data() -> ReportData {
             columns: ["part", "number", "all [kg]"].map(String::from).to_vec(),
             rows: vec![["bolt", "12", "4.35"].map(String::from).to_vec()],
         },
+        butt_welds: false,
         welds: Table {
             columns: ["weld", "seams", "all [mm]"].map(String::from).to_vec(),
             rows: vec![["beam web", "2", "542"].map(String::from).to_vec()],

@@ -2,6 +2,7 @@
 //! rewritten in other units give the same verdict and numbers.
 
 use crate::numbers::Numbers;
+use bracket::assembly::Facts;
 use bracket::catalog::Catalog;
 use bracket::checks::design_code::build;
 use bracket::checks::{Analysed, Check, HandChecks, hand_checks, judge};
@@ -208,7 +209,7 @@ fn checks(text: &str, catalog: &Catalog) -> Result<HandChecks, String> {
         .unwrap_or_else(|e| panic!("{e:?}: {text}"));
     let joint =
         build(&spec, Path::new(""), catalog).map_err(|faults| faults.into_first().message)?;
-    Ok(joint.end_plate.as_ref().map(hand_checks).expect("an end plate"))
+    Ok(joint.facts.as_ref().map(|Facts::EndPlate(e)| hand_checks(e)).expect("an end plate"))
 }
 
 fn near(a: f64, b: f64) -> bool {

@@ -5,6 +5,7 @@ use crate::design_code::build;
 use crate::end_plate::{HandChecks, hand_checks};
 use bracket_base::diag::Diagnostics;
 use bracket_base::yaml;
+use bracket_joint::assembly::Facts;
 use bracket_joint::catalog::Catalog;
 use bracket_joint::spec::ConnectionSpec;
 use std::path::Path;
@@ -16,7 +17,7 @@ pub(super) const TEMPLATE: &str =
 pub(super) fn of_spec(text: &str, base: &Path) -> Result<HandChecks, Diagnostics> {
     let spec = yaml::parse::<ConnectionSpec>(text, Path::new("joint.yaml"))?;
     let joint = build(&spec, base, &Catalog::builtin().expect("the shipped catalogue is sound"))?;
-    Ok(joint.end_plate.as_ref().map(hand_checks).unwrap_or_default())
+    Ok(joint.facts.as_ref().map(|Facts::EndPlate(e)| hand_checks(e)).unwrap_or_default())
 }
 
 pub(super) fn checks(text: &str) -> HandChecks {

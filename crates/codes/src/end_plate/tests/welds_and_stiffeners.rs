@@ -260,7 +260,7 @@ fn the_list_of_welds_has_every_seam() {
         let spec = yaml::parse::<ConnectionSpec>(&spec, Path::new("joint.yaml")).expect("a spec");
         let catalog = Catalog::builtin().expect("catalogue");
         let joint = build(&spec, Path::new("."), &catalog).expect("a joint");
-        welds_list(joint.end_plate.as_ref(), &joint.content)
+        welds_list(joint.facts.as_ref(), &joint.content)
     };
     let fillets = list("double_sided: true, flange_weld: 6, web_weld: 4, stiffener_weld: 5");
     let seams = |items: &[WeldItem]| -> Vec<(usize, Option<f64>)> {
