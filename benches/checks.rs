@@ -3,7 +3,7 @@
 //!
 //! `cargo bench --bench checks`
 
-use bracket::assembly::EndPlate;
+use bracket::assembly::{EndPlate, Facts};
 use bracket::catalog::Catalog;
 use bracket::checks::design_code;
 use bracket::checks::end_plate::moment_axial;
@@ -49,10 +49,9 @@ fn main() {
         let build = |text: &str| {
             let spec =
                 yaml::parse::<ConnectionSpec>(text, Path::new("joint.yaml")).expect("a spec");
-            design_code::build(&spec, Path::new(""), &catalog)
-                .expect("a joint")
-                .end_plate
-                .expect("with hand checks")
+            let joint = design_code::build(&spec, Path::new(""), &catalog).expect("a joint");
+            let Facts::EndPlate(e) = joint.facts.expect("with hand checks");
+            e
         };
         let judged = |e: &EndPlate| {
             let mut checks = hand_checks(black_box(e));

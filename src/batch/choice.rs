@@ -252,7 +252,7 @@ pub fn check(plan: &Plan, kit: &Kit, choose: &Choose) -> Result<(), Box<Diagnost
             let message = format!("`choose.least`, template `{template}`: {message}");
             Err(Box::new(Diagnostic::input("sweep/choose", message).help(help)))
         };
-        if joint.end_plate.is_none() && choose.least.names().contains(&MASS) {
+        if joint.facts.is_none() && choose.least.names().contains(&MASS) {
             let help = "write `bolts`, or an expression of the names of the template";
             return refuse("it has no list of parts, so its mass is not known".into(), help);
         }

@@ -171,7 +171,7 @@ fn method(checks: &HandChecks, case: &str) -> (Option<f64>, Option<f64>, Option<
 /// N, Vz and My at the bolt plane of the member end that reaches its resistance first.
 fn actions(joint: &Joint, checks: &HandChecks, case: &str) -> Option<[f64; 3]> {
     let end = first_end(checks.comparisons.iter().filter(|c| c.case == case)).map(|c| &c.end);
-    let plane = &joint.end_plate.as_ref()?.actions;
+    let plane = joint.facts.as_ref()?.actions();
     let mine =
         |of_end: bool| plane.iter().find(|a| a.case == case && (!of_end || Some(&a.end) == end));
     let [[n, _, vz], [_, my, _]] = mine(end.is_some())?.at(1.0);
@@ -187,6 +187,6 @@ pub fn first_end<'a>(ends: impl Iterator<Item = &'a Comparison>) -> Option<&'a C
 /// Mass of the end plates, stiffeners and bolts \[kg\], as the report lists them. `None` for a
 /// template without an end plate.
 fn mass(joint: &Joint) -> Option<f64> {
-    joint.end_plate.as_ref()?;
+    joint.facts.as_ref()?;
     total_mass(&parts_list(&joint.content))
 }

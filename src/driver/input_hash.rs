@@ -5,6 +5,7 @@ use crate::driver::spec_context::own_rows;
 use crate::driver::spec_file::SpecFile;
 use bracket_base::diag::{Diagnostic, Diagnostics};
 use bracket_engine::model::AnalysisKind;
+use bracket_joint::assembly::Facts;
 use bracket_joint::geometry::Scene;
 use bracket_joint::geometry::geo_script::{Purpose, Sizing, script};
 use bracket_report::result::result_file::input_hash;
@@ -38,10 +39,14 @@ pub fn checked_hash(input: &SpecFile) -> Result<String, Diagnostics> {
     let fault = |e: serde_json::Error| {
         Diagnostic::environment("cli/check", format!("the joint cannot be written: {e}"))
     };
+    let facts = match &input.joint.facts {
+        Some(Facts::EndPlate(e)) => Some(e),
+        None => None,
+    };
     let seen = if input.catalog.own_tables().is_empty() {
-        serde_json::to_string(&input.joint.end_plate).map_err(fault)?
+        serde_json::to_string(&facts).map_err(fault)?
     } else {
-        let mut seen = serde_json::to_value(&input.joint.end_plate).map_err(fault)?;
+        let mut seen = serde_json::to_value(facts).map_err(fault)?;
         without_files(&mut seen);
         seen.to_string()
     };

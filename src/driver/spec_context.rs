@@ -7,15 +7,15 @@ use bracket_base::diag::Diagnostics;
 use bracket_base::yaml;
 use bracket_codes::check::number;
 use bracket_codes::design_code::design_strengths;
-use bracket_codes::end_plate::{moment_axial, parts_list, stocked_length, welds_list};
+use bracket_codes::end_plate::{parts_list, welds_list};
 use bracket_codes::{HandChecks, joint_checks};
+use bracket_joint::assembly::Assembly;
 use bracket_joint::assembly::assembly::{FaceSupport, Surface};
-use bracket_joint::assembly::{Assembly, EndPlate};
-use bracket_joint::spec::connection::{ConnectionSpec, Language};
+use bracket_joint::spec::connection::ConnectionSpec;
 use bracket_joint::spec::loads::ActionPoint;
 use bracket_joint::strength::Design;
 use bracket_report::draw::contact_map::AXES;
-use bracket_report::draw::{drawing, dxf, moment_axial, moment_rotation, parts_drawing};
+use bracket_report::draw::joint_drawings::JointDrawings;
 use bracket_report::markdown::demand::on_planes;
 use bracket_report::markdown::report_data::CatalogueRow;
 use bracket_report::markdown::report_data::InputFacts;
@@ -23,7 +23,6 @@ use bracket_report::markdown::report_data::PictureRef;
 use bracket_report::markdown::report_data::ResolvedValue;
 use bracket_report::markdown::report_data::Table;
 use bracket_report::markdown::schedule;
-use bracket_report::words::Words;
 use serde_json::json;
 use std::path::Path;
 
@@ -50,14 +49,14 @@ pub fn spec_context(path: &Path, input: &SpecFile) -> Result<RunContext, Diagnos
     ] {
         block.extend(value.clone().map(|v| (name.to_string(), v)));
     }
-    let end_plate = input.joint.end_plate.as_ref();
-    let (drawings, texts): (Vec<PictureRef>, Vec<String>) = drawings(input).into_iter().unzip();
+    let joint = &input.joint;
+    let JointDrawings { pictures, workshop, frame } =
+        JointDrawings::new(joint.facts.as_ref(), &joint.content, project.language);
+    let (drawings, texts): (Vec<PictureRef>, Vec<String>) = pictures.into_iter().unzip();
     let names = drawings.iter().map(|d| d.file.clone());
     let mut files: Vec<(String, String)> = names.zip(texts).collect();
-    files.extend(end_plate.map(|e| {
-        let pieces = input.joint.content.end_plates();
-        (dxf::DXF_FILE.into(), plate_dxf(e, pieces, project.language))
-    }));
+    files.extend(workshop);
+    let welds = welds_list(joint.facts.as_ref(), &joint.content);
     Ok(RunContext {
         input: InputFacts {
             project: block,
@@ -71,10 +70,11 @@ pub fn spec_context(path: &Path, input: &SpecFile) -> Result<RunContext, Diagnos
             catalogue_rows: catalogue_rows(input),
             drawings,
             schedule: schedule::schedule(&parts_list(&input.joint.content)),
-            welds: schedule::welds(&welds_list(end_plate, &input.joint.content)),
+            welds: schedule::welds(&welds),
+            butt_welds: schedule::has_butt_welds(&welds),
             supports: supports(&input.joint.assembly),
         },
-        rotation: end_plate.map_or_else(Default::default, moment_rotation::Frame::of),
+        rotation: frame,
         files,
     })
 }
@@ -96,52 +96,12 @@ fn as_read(input: &SpecFile) -> ConnectionSpec {
     spec
 }
 
-/// Drawings of the joint, with the dimensions that the hand checks read, and of the actions at the
-/// member ends.
-fn drawings(input: &SpecFile) -> Vec<(PictureRef, String)> {
-    let picture = |file: &str, caption: &str, text| {
-        (PictureRef { file: file.into(), caption: caption.into() }, text)
-    };
-    let content = &input.joint.content;
-    let Some(e) = &input.joint.end_plate else {
-        let views = parts_drawing::views(content);
-        return vec![picture("drawing.svg", "Two views of the joint", views)];
-    };
-    let views = drawing::views(e, content, stocked_length(e));
-    let mut out =
-        vec![picture("drawing.svg", "Side view of the joint, front view of the end plate", views)];
-    for (i, diagram) in moment_axial(e).iter().enumerate() {
-        let file =
-            if i == 0 { "moment_axial.svg".into() } else { format!("moment_axial_{}.svg", i + 1) };
-        let beta = if e.column.is_some() {
-            format!(", β = {}", number(diagram.beta))
-        } else {
-            String::new()
-        };
-        let caption =
-            format!("Moment and axial force that the joint carries by the component method{beta}");
-        out.push(picture(&file, &caption, moment_axial::drawing(diagram)));
-    }
-    if !e.actions.is_empty() {
-        let caption =
-            "Actions at the member ends with their positive senses, values at the bolt plane";
-        out.push(picture("actions.svg", caption, drawing::actions(e)));
-    }
-    out
-}
-
-/// The end plate for the workshop. The names of steel and bolt stay as the catalogue has them.
-fn plate_dxf(e: &EndPlate, pieces: usize, language: Language) -> String {
-    let names = [e.plate_steel.grade.clone(), e.bolt.size.clone()];
-    dxf::end_plate(e, pieces, &Words::new(language, names))
-}
-
 /// The actions at the bolt planes, where the spec gives them elsewhere.
 fn plane_actions(input: &SpecFile) -> Table {
     let points = input.spec.value.loads.iter().filter_map(|l| l.at);
     let moved = points.into_iter().any(|at| at != ActionPoint::BoltPlane);
-    let end_plate = input.joint.end_plate.as_ref().filter(|_| moved);
-    end_plate.map_or_else(Default::default, |e| on_planes(&e.actions))
+    let facts = input.joint.facts.as_ref().filter(|_| moved);
+    facts.map_or_else(Default::default, |f| on_planes(f.actions()))
 }
 
 /// The supports of the model, with the section that each holds.

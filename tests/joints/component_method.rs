@@ -172,8 +172,13 @@ fn compare(
             "{sense}: rows in another order"
         );
         for c in &r.alone {
-            let what = format!("{sense}, row at {}, {}", r.z, c.name);
-            seen.near(&what, joint, c.worked.value, &row[c.name.replace(' ', "_").as_str()]);
+            let what = format!("{sense}, row at {}, {}", r.z, c.kind.words());
+            seen.near(
+                &what,
+                joint,
+                c.worked.value,
+                &row[c.kind.words().replace(' ', "_").as_str()],
+            );
         }
         seen.near(
             &format!("{sense}, row at {}, after groups", r.z),

@@ -4,12 +4,19 @@ use crate::built::{joint, model};
 use bracket::analysis::elastic;
 use bracket::analysis::event::silent;
 use bracket::analysis::pass::PassOptions;
-use bracket::checks::{JointStiffness, hand_checks};
+use bracket::assembly::{Facts, Joint};
+use bracket::checks::{JointStiffness, PureMoment, hand_checks};
 use bracket::diag::Place;
 use bracket::model::AnalysisKind;
 use bracket::model::resolve::resolve;
 use bracket::result::energy_case::case_result;
 use bracket::result::stiffness::joint_stiffness;
+
+/// The load cases of one moment of a joint.
+fn moments(joint: &Joint) -> Vec<PureMoment> {
+    let Facts::EndPlate(e) = joint.facts.as_ref().unwrap();
+    hand_checks(e).moments
+}
 
 /// The stiffness of the first load case's joint, from an elastic analysis on a coarse mesh.
 fn stiffness(name: &str, spec: &str) -> Option<JointStiffness> {
@@ -19,7 +26,7 @@ fn stiffness(name: &str, spec: &str) -> Option<JointStiffness> {
     let pass = elastic::run(&m, &PassOptions::default(), &silent()).unwrap();
     let entry = case_result("A", &m, &pass, None);
     assert!(entry.certificate.is_some_and(|c| c.strict), "{name}");
-    let s = joint_stiffness(&entry, &hand_checks(joint.end_plate.as_ref().unwrap()).moments);
+    let s = joint_stiffness(&entry, &moments(&joint));
     if let Some(s) = &s {
         println!(
             "{name}: {} tets, φ [{:.4}, {:.4}] mrad, beam {:.4}, S_j,ini [{:.0}, {:.0}] kN m/rad, \
@@ -68,7 +75,7 @@ fn the_stiffness_does_not_depend_on_the_length_of_the_stubs() {
 /// is printed.
 #[test]
 fn a_shear_force_or_a_gap_gives_no_stiffness() {
-    let of = |text: &str| hand_checks(joint(text).end_plate.as_ref().unwrap()).moments;
+    let of = |text: &str| moments(&joint(text));
     assert_eq!(of(&splice(250, "My: 10 kN m")).len(), 1);
     for load in [
         "My: 10 kN m, Vz: 5 kN",
@@ -141,10 +148,9 @@ fn the_column_is_taken_out_as_a_bar() {
     let path =
         concat!(env!("CARGO_MANIFEST_DIR"), "/tests/cases/20-stiffness-with-column-bending.yaml");
     let text = std::fs::read_to_string(path).unwrap();
-    let moments = |text: &str| hand_checks(joint(text).end_plate.as_ref().unwrap()).moments;
     let of = |more: &str| {
         let changed = text.replace("web_weld: 5", &format!("web_weld: 5{more}"));
-        let [m] = &moments(&changed)[..] else { panic!("one moment") };
+        let [m] = &moments(&joint(&changed))[..] else { panic!("one moment") };
         m.column_rotation.unwrap()
     };
     // the shear formula of HE 260 B over web, fillets and flanges gives 2560 mm²
@@ -165,10 +171,10 @@ fn the_column_is_taken_out_as_a_bar() {
         "analysis:",
         "  - {name: ULS1, end: beam_left, at: column_face, My: 100 kN m}\nanalysis:",
     );
-    let both = moments(&both);
+    let both = moments(&joint(&both));
     assert_eq!(both.len(), 2);
     assert!(both.iter().all(|m| m.column_rotation == Some(0.0)));
-    let [splice] = &moments(&splice(250, "My: 10 kN m"))[..] else { panic!("one moment") };
+    let [splice] = &moments(&joint(&splice(250, "My: 10 kN m")))[..] else { panic!("one moment") };
     assert_eq!(splice.column_rotation, Some(0.0));
 }
 

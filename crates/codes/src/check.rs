@@ -1,6 +1,13 @@
 //! The record of one check: clause, formula with its numbers, demand, resistance, utilisation.
 
+mod check_id;
+mod title;
+
+pub use check_id::CheckId;
+pub use title::Title;
+
 use crate::formula::{Derivation, Formula, Line, Number, Relation, Traced};
+use crate::subject::Subject;
 pub use crate::unit::{Unit, number};
 use bracket_base::units::limits;
 use serde::{Deserialize, Serialize};
@@ -39,15 +46,27 @@ pub enum Topic {
     Welds,
     /// The beam's cross-section and the column's stiffeners at the joint.
     Member,
-    /// Component method of EN 1993-1-8 section 6: strength, which a limit analysis of the same case
-    /// determines as well.
+    /// Component method of EN 1993-1-8 section 6.
     ComponentMethod,
-    /// Buckling and slenderness, which no limit analysis models.
+    /// Buckling and slenderness.
     Stability,
     /// Stiffness of the component method.
     Stiffness,
     /// Rotation capacity.
     Ductility,
+}
+
+/// What a check can decide.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Binding {
+    /// Strength that a limit analysis of the same case determines as well, and stands in for.
+    Strength,
+    /// What a limit analysis does not know: single bolts and welds, sections, stability, detailing,
+    /// and what the code leaves open.
+    Beside,
+    /// Nothing: a value or a remark without a demand.
+    Information,
 }
 
 /// Result of a check.
@@ -77,11 +96,13 @@ pub struct Check {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub case: Option<String>,
     /// Part, row or sense of bending.
-    pub subject: String,
+    #[serde(flatten)]
+    pub subject: Subject,
     /// Clause.
     pub clause: String,
-    /// Name of the check.
-    pub title: String,
+    /// What it checks.
+    #[serde(flatten)]
+    pub title: Title,
     /// The formula with its numbers.
     #[serde(flatten)]
     pub derivation: Derivation,
@@ -101,28 +122,42 @@ pub struct Check {
     pub unit: Unit,
     /// Result.
     pub status: Status,
+    /// What it can decide.
+    pub binding: Binding,
     /// True for a recommendation, which decides nothing where it is not followed.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub advice: bool,
 }
 
 impl Check {
-    /// The check with a title and a subject.
-    pub fn find<'a>(checks: &'a [Check], title: &str, subject: &str) -> Option<&'a Check> {
-        checks.iter().find(|c| c.title == title && c.subject == subject)
+    /// What it checks.
+    pub fn id(&self) -> CheckId {
+        self.title.id
+    }
+
+    /// The check with an id and a subject.
+    pub fn find<'a>(checks: &'a [Check], id: CheckId, subject: &Subject) -> Option<&'a Check> {
+        checks.iter().find(|c| c.id() == id && c.subject == *subject)
     }
 
     /// A check for which the code gives no resistance, with the reason, and what would decide it.
     pub fn undecided(
         topic: Topic,
-        subject: impl Into<String>,
+        subject: impl Into<Subject>,
         clause: &str,
-        title: &str,
+        id: CheckId,
         why: impl Into<Derivation>,
         step: &str,
     ) -> Self {
-        let open = Self::assumption(topic, subject, clause, title, why);
-        Self { status: Status::Undecided, ..open }.decided_by(step)
+        let open = Self::assumption(topic, subject, clause, id, why);
+        Self { status: Status::Undecided, binding: Binding::Beside, ..open }.decided_by(step)
+    }
+
+    /// The check with names of the user that belong to its title.
+    #[must_use]
+    pub fn naming(mut self, detail: String) -> Self {
+        self.title.detail = Some(detail);
+        self
     }
 
     /// The check; if it is undecided, with what would decide it.
@@ -153,9 +188,9 @@ impl Check {
     /// An assumption of the checks, in words.
     pub fn assumption(
         topic: Topic,
-        subject: impl Into<String>,
+        subject: impl Into<Subject>,
         clause: &str,
-        title: &str,
+        id: CheckId,
         what: impl Into<Derivation>,
     ) -> Self {
         Self {
@@ -163,7 +198,7 @@ impl Check {
             case: None,
             subject: subject.into(),
             clause: clause.into(),
-            title: title.into(),
+            title: id.into(),
             derivation: what.into(),
             values: Vec::new(),
             demand: None,
@@ -171,6 +206,7 @@ impl Check {
             utilisation: None,
             unit: Unit::Number,
             status: Status::Information,
+            binding: Binding::Information,
             advice: false,
         }
     }
@@ -178,8 +214,8 @@ impl Check {
     /// A length that must reach a least value: the demand is the required length `limit`, the
     /// resistance the provided one. `otherwise` is the status where it is too small.
     pub fn at_least(
-        of: (Topic, impl Into<String>),
-        what: (&str, &str),
+        of: (Topic, impl Into<Subject>),
+        what: (&str, CheckId),
         symbol: impl Into<Cow<'static, str>>,
         limit: impl Into<Traced>,
         provided: f64,
@@ -195,8 +231,8 @@ impl Check {
     /// A length that must not exceed a greatest value `limit`: the demand is the provided length,
     /// the resistance the allowed one. `otherwise` is the status where it is too large.
     pub fn at_most(
-        of: (Topic, impl Into<String>),
-        what: (&str, &str),
+        of: (Topic, impl Into<Subject>),
+        what: (&str, CheckId),
         symbol: impl Into<Cow<'static, str>>,
         limit: impl Into<Traced>,
         provided: f64,
@@ -222,8 +258,8 @@ impl Check {
     }
 
     fn limit(
-        (topic, subject): (Topic, impl Into<String>),
-        (clause, title): (&str, &str),
+        (topic, subject): (Topic, impl Into<Subject>),
+        (clause, id): (&str, CheckId),
         (symbol, value, relation, limit): (Cow<'static, str>, f64, Relation, Traced),
         (demand, resistance): (f64, f64),
         otherwise: Status,
@@ -233,7 +269,7 @@ impl Check {
         let mut check = Self {
             unit: Unit::Length,
             status: Status::Ok,
-            ..Self::assumption(topic, subject, clause, title, formula)
+            ..Self::assumption(topic, subject, clause, id, formula)
         };
         check.judge(demand, resistance, otherwise);
         check
@@ -248,6 +284,7 @@ impl Check {
         // a utilisation needs a positive resistance
         self.utilisation = if resistance > 0.0 { number(demand / resistance) } else { None };
         self.advice = otherwise == Status::Warning;
+        self.binding = Binding::Beside;
         let finite = self.demand.is_some() && self.resistance.is_some();
         self.status = if finite && within(demand, resistance) { Status::Ok } else { otherwise };
         if !finite {
@@ -260,11 +297,17 @@ impl Check {
         self.unit == Unit::Length
     }
 
-    /// True for a utilisation that decides: of a strength, no kept length, no recommendation, no
-    /// rule of stiffness or rotation.
+    /// True for a utilisation that decides: of a strength, no kept length, no recommendation.
     pub fn measures_strength(&self) -> bool {
-        let decides = !matches!(self.topic, Topic::Stiffness | Topic::Ductility) && !self.advice;
+        let decides = self.binding != Binding::Information && !self.advice;
         decides && self.utilisation.is_some() && !self.is_limit()
+    }
+
+    /// The check as one of strength that a limit analysis determines as well.
+    #[must_use]
+    pub fn of_strength(mut self) -> Self {
+        self.binding = Binding::Strength;
+        self
     }
 
     /// The check with its load case.
@@ -322,11 +365,13 @@ pub fn largest<T>(of: impl IntoIterator<Item = T>, value: impl Fn(&T) -> f64) ->
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::subject::Part;
 
     #[test]
     fn a_limit_met_exactly_holds_and_one_missed_by_a_hair_does_not() {
         let check = |provided: f64| {
-            let (topic, what) = ((Topic::Detailing, "plate"), ("Table 3.3", "end distance"));
+            let (topic, what) =
+                ((Topic::Detailing, Part::EndPlate), ("Table 3.3", CheckId::EndDistance));
             let rule = Traced::from(1.2) * Traced::symbol("d0", 20.0, Unit::Length);
             Check::at_least(topic, what, "e1", rule, provided, Status::Failed)
         };
@@ -339,7 +384,7 @@ mod tests {
             "{}",
             check(23.99).formula()
         );
-        let (topic, what) = ((Topic::Welds, "beam web"), ("4.5.2", "throat"));
+        let (topic, what) = ((Topic::Welds, Part::BeamWeb), ("4.5.2", CheckId::LeastThroat));
         let throat = Check::at_least(topic, what, "a", 3.0, 6.0, Status::Failed);
         assert_eq!(throat.formula(), "a = 6 mm ≥ 3 mm");
         assert_eq!(check(-3.0).utilisation, None, "no finite utilisation where nothing is there");

@@ -1,30 +1,11 @@
 //! Classification of joints by stiffness and by strength: EN 1993-1-8:2005 5.2.
 
-use crate::check::within;
+use crate::check::{CheckId, within};
 use crate::formula::Traced;
+use crate::subject::Frame;
 use crate::unit::Unit;
 use crate::worked::Worked;
 use serde::{Deserialize, Serialize};
-
-/// Whether bracing reduces the sway of the frame by 80 %.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Frame {
-    /// Bracing reduces the horizontal displacement by 80 % or more: k_b = 8.
-    Braced,
-    /// Any other frame with K_b/K_c ≥ 0.1 in every storey: k_b = 25.
-    Unbraced,
-}
-
-impl Frame {
-    /// k_b of 5.2.2.5(1).
-    pub fn factor(self) -> f64 {
-        match self {
-            Frame::Braced => 8.0,
-            Frame::Unbraced => 25.0,
-        }
-    }
-}
 
 /// Class of a joint by stiffness.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -69,10 +50,10 @@ pub fn stiffness_limits(
     let factor = if never { f64::INFINITY } else { frame.factor() };
     let rigid = Traced::number("k_b", factor) * unit.clone();
     let pinned = Traced::from(0.5) * unit;
-    let limit = |title, of| Worked::of(CLAUSE, title, "", of, Unit::Rotational);
+    let limit = |id, of| Worked::of(CLAUSE, id, "", of, Unit::Rotational);
     StiffnessLimits {
-        rigid: limit("limit of rigid joints", rigid),
-        pinned: limit("limit of nominally pinned joints", pinned),
+        rigid: limit(CheckId::RigidLimit, rigid),
+        pinned: limit(CheckId::PinnedLimit, pinned),
     }
 }
 

@@ -1,8 +1,9 @@
 //! Rotation capacity: EN 1993-1-8:2005 6.4.2 and the rule of UK practice.
 
-use crate::check::{Check, Status, Topic};
+use crate::check::{Check, CheckId, Status, Topic};
 use crate::eurocode::section::epsilon;
 use crate::formula::{Number, Traced};
+use crate::subject::{Part, Subject};
 
 /// A bolt and the plate or flange that it clamps.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,11 +25,11 @@ pub struct Clamped {
 ///
 /// # Source
 /// EN 1993-1-8:2005 6.4.2(2), formula 6.32.
-pub fn rotation_capacity(subject: &str, c: &Clamped) -> Check {
+pub fn rotation_capacity(part: Part, c: &Clamped) -> Check {
     let limit = Traced::from(0.36) * Traced::length("d", c.d) * strengths(c);
-    let title = ("EN 1993-1-8:2005 6.4.2(2)", "thickness for rotation capacity");
-    let of = (Topic::Ductility, subject);
-    Check::at_most(of, title, "t", limit, c.thickness, Status::Warning)
+    let what = ("EN 1993-1-8:2005 6.4.2(2)", CheckId::RotationCapacity);
+    let of = (Topic::Ductility, part);
+    Check::at_most(of, what, "t", limit, c.thickness, Status::Warning)
 }
 
 /// √(f_ub/f_y).
@@ -42,11 +43,11 @@ fn strengths(c: &Clamped) -> Traced {
 ///
 /// # Source
 /// UK National Annex to BS EN 1993-1-8, NA.2.7; SCI P398, 2.
-pub fn plastic_distribution(subject: &str, c: &Clamped) -> Check {
+pub fn plastic_distribution(part: Part, c: &Clamped) -> Check {
     let limit = Traced::length("d", c.d) / Traced::from(1.9) * strengths(c);
-    let title = ("UK NA to BS EN 1993-1-8, NA.2.7", "thickness for plastic forces of the rows");
-    let of = (Topic::Ductility, subject);
-    Check::at_most(of, title, "t", limit, c.thickness, Status::Warning)
+    let what = ("UK NA to BS EN 1993-1-8, NA.2.7", CheckId::PlasticRows);
+    let of = (Topic::Ductility, part);
+    Check::at_most(of, what, "t", limit, c.thickness, Status::Warning)
 }
 
 /// Whether a web panel that governs in shear gives enough rotation, `d_c/t_w ≤ 69 ε`; a warning
@@ -54,11 +55,11 @@ pub fn plastic_distribution(subject: &str, c: &Clamped) -> Check {
 ///
 /// # Source
 /// EN 1993-1-8:2005 6.4.2(1).
-pub fn panel_in_shear(subject: &str, clear_depth: f64, web: f64, fy: f64) -> Check {
-    let title = ("EN 1993-1-8:2005 6.4.2(1)", "slenderness of the web panel");
+pub fn panel_in_shear(subject: Subject, clear_depth: f64, web: f64, fy: f64) -> Check {
+    let what = ("EN 1993-1-8:2005 6.4.2(1)", CheckId::PanelSlenderness);
     let limit = Traced::from(69.0) * Traced::number("ε", epsilon(fy));
     let of = (Topic::Ductility, subject);
-    Check::at_most(of, title, "d_c/t_w", limit, clear_depth / web, Status::Warning).of_numbers()
+    Check::at_most(of, what, "d_c/t_w", limit, clear_depth / web, Status::Warning).of_numbers()
 }
 
 #[cfg(test)]
@@ -70,11 +71,11 @@ mod tests {
         // M20 8.8 on S235: 0.36 · 20 · √(800/235) = 13.28 mm; (20/1.9) √(800/235) = 19.42 mm
         let clamped = |thickness| Clamped { d: 20.0, fub: 800.0, thickness, fy: 235.0 };
         let status = |c: Check| c.status;
-        assert_eq!(status(rotation_capacity("end plate", &clamped(13.2))), Status::Ok);
-        assert_eq!(status(rotation_capacity("end plate", &clamped(13.3))), Status::Warning);
-        assert_eq!(status(plastic_distribution("end plate", &clamped(19.4))), Status::Ok);
-        assert_eq!(status(plastic_distribution("end plate", &clamped(19.5))), Status::Warning);
-        assert_eq!(status(panel_in_shear("column", 690.0, 10.0, 235.0)), Status::Ok);
-        assert_eq!(status(panel_in_shear("column", 691.0, 10.0, 235.0)), Status::Warning);
+        assert_eq!(status(rotation_capacity(Part::EndPlate, &clamped(13.2))), Status::Ok);
+        assert_eq!(status(rotation_capacity(Part::EndPlate, &clamped(13.3))), Status::Warning);
+        assert_eq!(status(plastic_distribution(Part::EndPlate, &clamped(19.4))), Status::Ok);
+        assert_eq!(status(plastic_distribution(Part::EndPlate, &clamped(19.5))), Status::Warning);
+        assert_eq!(status(panel_in_shear(Part::Panel.into(), 690.0, 10.0, 235.0)), Status::Ok);
+        assert_eq!(status(panel_in_shear(Part::Panel.into(), 691.0, 10.0, 235.0)), Status::Warning);
     }
 }

@@ -13,7 +13,7 @@ mod reason;
 pub use analysed::Analysed;
 pub use governing::Governing;
 
-use super::check::{Check, Status, Topic};
+use super::check::{Binding, Check, Status};
 use super::end_plate::HandChecks;
 use super::verdict::{Route, Verdict};
 use serde::{Deserialize, Serialize};
@@ -147,7 +147,7 @@ fn together(each: &[Judgement], cases: &[Analysed]) -> Judgement {
 
 /// Whether a check can decide a verdict.
 fn binds(c: &Check) -> bool {
-    !matches!(c.status, Status::Information | Status::Warning)
+    c.binding != Binding::Information && !matches!(c.status, Status::Information | Status::Warning)
 }
 
 /// The check that governs a verdict by code: a strength rather than a least length, with the
@@ -211,7 +211,7 @@ impl HandChecks {
             return;
         }
         let of_case =
-            |c: &&mut Check| c.topic == Topic::ComponentMethod && c.case.as_deref() == Some(case);
+            |c: &&mut Check| c.binding == Binding::Strength && c.case.as_deref() == Some(case);
         for c in self.checks.iter_mut().filter(of_case) {
             c.status = match c.status {
                 Status::Failed => Status::Warning,

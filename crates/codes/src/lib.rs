@@ -15,12 +15,13 @@ pub mod error;
 pub mod eurocode;
 pub mod formula;
 pub mod judgement;
+pub mod subject;
 pub mod unit;
 pub mod verdict;
 pub mod whole_joint;
 pub mod worked;
 
-pub use check::{Check, Status, Step, Topic, Unit};
+pub use check::{Binding, Check, CheckId, Status, Step, Topic, Unit};
 pub use end_plate::{Comparison, HandChecks, JointStiffness, MomentAxial, PureMoment, hand_checks};
 pub use error::CheckError;
 pub use judgement::{Analysed, Governing, Judgement, judge};

@@ -3,13 +3,14 @@
 use super::check::{Check, Topic};
 use super::end_plate::{HandChecks, hand_checks};
 use super::worked::Worked;
-use crate::check::{Status, Unit};
+use crate::check::{CheckId, Status, Unit};
 use crate::formula::Traced;
-use bracket_joint::assembly::{Idle, Joint};
+use crate::subject::Part;
+use bracket_joint::assembly::{Facts, Idle, Joint};
 
 /// The hand checks of a joint, with those of the load cases in which nothing acts.
 pub fn joint_checks(joint: &Joint) -> HandChecks {
-    let mut out = joint.end_plate.as_ref().map(hand_checks).unwrap_or_default();
+    let mut out = joint.facts.as_ref().map(of_family).unwrap_or_default();
     let demands = || joint.idle.iter().filter(|i| i.demand);
     out.checks.extend(demands().map(nothing_acts));
     out.checks.sort_by_key(|c| c.topic);
@@ -19,11 +20,18 @@ pub fn joint_checks(joint: &Joint) -> HandChecks {
     out
 }
 
+/// The hand checks of a family of connections.
+fn of_family(facts: &Facts) -> HandChecks {
+    match facts {
+        Facts::EndPlate(e) => hand_checks(e),
+    }
+}
+
 /// The check of a load case in which nothing acts. It always holds.
 fn nothing_acts(idle: &Idle) -> Check {
     let (clause, used) = ("EN 1990:2002 6.4.2(3)", Traced::from(0.0));
-    Worked::of(clause, "nothing acts", "E_d/R_d", used, Unit::Number)
+    Worked::of(clause, CheckId::NothingActs, "E_d/R_d", used, Unit::Number)
         .after("every action at the member ends is zero or neglected")
-        .utilised(Topic::Member, "all member ends", Status::Failed)
+        .utilised(Topic::Member, Part::MemberEnds, Status::Failed)
         .of_case(&idle.case)
 }

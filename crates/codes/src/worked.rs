@@ -1,7 +1,8 @@
 //! A value of the code with its derivation, and how it becomes a check.
 
-use super::check::{Check, Status, Step, Topic, Unit};
+use super::check::{Binding, Check, CheckId, Status, Step, Topic, Unit};
 use super::formula::{Derivation, Formula, Line, Number, Traced};
+use crate::subject::Subject;
 use std::borrow::Cow;
 
 /// A value computed by a formula of the code, with its derivation.
@@ -9,8 +10,8 @@ use std::borrow::Cow;
 pub struct Worked {
     /// Clause of the formula.
     pub clause: &'static str,
-    /// Name of the value.
-    pub title: &'static str,
+    /// What it is.
+    pub id: CheckId,
     /// The formula that gives it, and what stands before and behind it.
     pub derivation: Derivation,
     /// Intermediate values.
@@ -25,14 +26,14 @@ impl Worked {
     /// A value with its clause and its formula, `symbol` = `of`.
     pub fn of(
         clause: &'static str,
-        title: &'static str,
+        id: CheckId,
         symbol: impl Into<Cow<'static, str>>,
         of: Traced,
         unit: Unit,
     ) -> Self {
         let value = of.value();
         let derivation = Formula::new(symbol, of, unit).into();
-        Self { clause, title, derivation, steps: Vec::new(), value, unit }
+        Self { clause, id, derivation, steps: Vec::new(), value, unit }
     }
 
     /// Adds an intermediate value.
@@ -91,14 +92,14 @@ impl Worked {
 
     /// The value as information, without a demand. A value that is not finite is left out, and so
     /// are such intermediate values.
-    pub fn information(mut self, topic: Topic, subject: impl Into<String>) -> Check {
+    pub fn information(mut self, topic: Topic, subject: impl Into<Subject>) -> Check {
         self.steps.retain(|step| step.value.is_finite());
         Check {
             topic,
             case: None,
             subject: subject.into(),
             clause: self.clause.into(),
-            title: self.title.into(),
+            title: self.id.into(),
             derivation: self.derivation,
             values: self.steps,
             demand: None,
@@ -106,6 +107,7 @@ impl Worked {
             utilisation: None,
             unit: self.unit,
             status: Status::Information,
+            binding: Binding::Information,
             advice: false,
         }
     }
@@ -115,7 +117,7 @@ impl Worked {
     pub fn against(
         self,
         topic: Topic,
-        subject: impl Into<String>,
+        subject: impl Into<Subject>,
         demand: f64,
         otherwise: Status,
     ) -> Check {
@@ -126,7 +128,7 @@ impl Worked {
     }
 
     /// The value as a utilisation, to be at most 1; `otherwise` is the status if it is larger.
-    pub fn utilised(self, topic: Topic, subject: impl Into<String>, otherwise: Status) -> Check {
+    pub fn utilised(self, topic: Topic, subject: impl Into<Subject>, otherwise: Status) -> Check {
         let demand = self.value;
         let mut check = self.information(topic, subject);
         check.judge(demand, 1.0, otherwise);
@@ -137,41 +139,41 @@ impl Worked {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::subject::Part;
 
     #[test]
     fn a_resistance_becomes_a_check() {
-        let worked = || {
-            Worked::of("3.6.1", "tension", "F", Traced::from(90e3), Unit::Force).with(
-                "k2",
-                0.9,
-                Unit::Number,
-            )
-        };
-        let check = worked().against(Topic::Bolts, "row 1", 99e3, Status::Failed);
+        let worked =
+            || {
+                Worked::of("3.6.1", CheckId::BoltTension, "F", Traced::from(90e3), Unit::Force)
+                    .with("k2", 0.9, Unit::Number)
+            };
+        let check = worked().against(Topic::Bolts, Part::BoltRows, 99e3, Status::Failed);
         assert_eq!((check.status, check.utilisation), (Status::Failed, Some(1.1)));
         assert_eq!(
-            worked().against(Topic::Bolts, "row 1", 90e3, Status::Failed).status,
+            worked().against(Topic::Bolts, Part::BoltRows, 90e3, Status::Failed).status,
             Status::Ok
         );
         assert_eq!(
-            worked().against(Topic::Bolts, "row 1", 99e3, Status::Warning).status,
+            worked().against(Topic::Bolts, Part::BoltRows, 99e3, Status::Warning).status,
             Status::Warning
         );
-        let share =
-            |value: f64| Worked::of("6.2.7.1", "moment", "M", Traced::from(value), Unit::Number);
+        let share = |value: f64| {
+            Worked::of("6.2.7.1", CheckId::MomentAndAxial, "M", Traced::from(value), Unit::Number)
+        };
         assert_eq!(
-            share(0.9).utilised(Topic::Bolts, "row 1", Status::Failed).utilisation,
+            share(0.9).utilised(Topic::Bolts, Part::BoltRows, Status::Failed).utilisation,
             Some(0.9)
         );
         assert_eq!(
-            share(1.01).utilised(Topic::Bolts, "row 1", Status::Failed).status,
+            share(1.01).utilised(Topic::Bolts, Part::BoltRows, Status::Failed).status,
             Status::Failed
         );
         assert_eq!(
-            share(f64::NAN).utilised(Topic::Bolts, "row 1", Status::Failed).status,
+            share(f64::NAN).utilised(Topic::Bolts, Part::BoltRows, Status::Failed).status,
             Status::Failed
         );
-        let check = worked().information(Topic::Bolts, "row 1");
+        let check = worked().information(Topic::Bolts, Part::BoltRows);
         assert_eq!(
             (check.status, check.demand, check.resistance),
             (Status::Information, None, Some(90e3))

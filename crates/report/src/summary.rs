@@ -5,17 +5,31 @@ use crate::result::result_file::Quantity;
 use crate::result::result_file::{CaseResult, ResultFile};
 use bracket_codes::Governing;
 use bracket_codes::verdict::Verdict;
-use bracket_codes::{Check, Status, Topic, Unit};
+use bracket_codes::{Check, CheckId, Status, Topic, Unit};
 use serde::Serialize;
 
 /// Clause of the row of a bracket.
-pub const LIMIT_ANALYSIS: &str = "limit analysis";
+const LIMIT_ANALYSIS: &str = "limit analysis";
 
 /// Status of strength by the component method that is exceeded where a limit analysis decides.
 pub const EXCEEDED: &str = "exceeded, information";
 
 /// Status of a recommendation that is not followed.
 const NOT_FOLLOWED: &str = "warning";
+
+/// What a row of the summary is about.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum RowKind {
+    /// A check.
+    #[default]
+    Check,
+    /// Strength by the component method that is exceeded where a limit analysis decides.
+    Exceeded,
+    /// A recommendation that is not followed.
+    NotFollowed,
+    /// The bracket of a limit analysis.
+    Bracket,
+}
 
 /// Colour of a word of judgement.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
@@ -62,6 +76,9 @@ pub struct SummaryRow {
     pub status: String,
     /// Its colour.
     pub tone: Tone,
+    /// What it is about.
+    #[serde(skip)]
+    pub kind: RowKind,
     /// True for a row that governs.
     pub governs: bool,
     /// Utilisation by which it may govern; absent if the row decides nothing.
@@ -76,7 +93,7 @@ impl SummaryRow {
     /// True for the row of what governs the verdict.
     fn is(&self, g: &Governing) -> bool {
         let here = g.case.as_deref().is_none_or(|case| case == self.case);
-        let same = self.check == g.what || self.clause == LIMIT_ANALYSIS;
+        let same = self.check == g.what || self.kind == RowKind::Bracket;
         here && same && self.clause == g.clause
     }
 }
@@ -113,7 +130,7 @@ pub fn summary_rows(result: &ResultFile) -> Vec<SummaryRow> {
     let rank = |r: &SummaryRow| match r.tone {
         Tone::Bad => 0,
         Tone::Open => 1,
-        Tone::Quiet if r.status == EXCEEDED || r.status == NOT_FOLLOWED => 2,
+        Tone::Quiet if matches!(r.kind, RowKind::Exceeded | RowKind::NotFollowed) => 2,
         Tone::Good => 3,
         Tone::Quiet => 4,
     };
@@ -150,6 +167,7 @@ fn bracket_row(case: &CaseResult) -> Option<SummaryRow> {
         clause: LIMIT_ANALYSIS.into(),
         status: demand.by_analysis.words().into(),
         tone: demand.by_analysis.into(),
+        kind: RowKind::Bracket,
         governs: false,
         governs_by,
         size: governs_by.unwrap_or(0.0),
@@ -161,7 +179,13 @@ fn worst_limits(checks: &[Check]) -> Vec<&Check> {
     let used = |c: &Check| c.utilisation.unwrap_or(f64::INFINITY);
     // greatest distances bind only exposed or compressed steel, room for tools is practice
     let binds = |c: &&Check| match c.topic {
-        Topic::Detailing => c.clause.contains("Table 3.3") && !c.title.contains("exposed"),
+        Topic::Detailing => matches!(
+            c.id(),
+            CheckId::EndDistance
+                | CheckId::EdgeDistance
+                | CheckId::PitchOfRows
+                | CheckId::GaugeOfColumns
+        ),
         _ => c.topic == Topic::Welds,
     };
     let decides = |c: &&Check| matches!(c.status, Status::Ok | Status::Failed) && binds(c);
@@ -185,9 +209,7 @@ fn row(c: &Check) -> SummaryRow {
         (Unit::Number, None) => ["–".into(), "–".into()],
         _ => [show(c.demand), show(c.resistance)],
     };
-    let decides = matches!(c.status, Status::Ok | Status::Failed | Status::Undecided)
-        && !matches!(c.topic, Topic::Stiffness | Topic::Ductility)
-        && !c.advice;
+    let decides = matches!(c.status, Status::Ok | Status::Failed | Status::Undecided) && !c.advice;
     let (status, tone) = match (c.status, c.utilisation) {
         (Status::Failed, _) => ("FAILED", Tone::Bad),
         (Status::Undecided, _) => ("UNDECIDED", Tone::Open),
@@ -198,6 +220,11 @@ fn row(c: &Check) -> SummaryRow {
         (Status::Warning, _) => (EXCEEDED, Tone::Quiet),
         (Status::Information, Some(_)) => ("OK, information", Tone::Quiet),
         (Status::Information, None) => ("information", Tone::Quiet),
+    };
+    let kind = match c.status {
+        Status::Warning if c.advice => RowKind::NotFollowed,
+        Status::Warning => RowKind::Exceeded,
+        _ => RowKind::Check,
     };
     // a minimum distance or throat decides, but does not measure strength
     let kept = c.is_limit() && c.status == Status::Ok;
@@ -212,6 +239,7 @@ fn row(c: &Check) -> SummaryRow {
         clause: c.clause.clone(),
         status: status.into(),
         tone,
+        kind,
         governs: false,
         governs_by: strength.then_some(used),
         // behind every strength

@@ -4,7 +4,8 @@
 //! `BRACKET_UPDATE_GOLDEN=1 cargo test --release --test joints golden`.
 
 use bracket::checks::formula::{Number, Traced};
-use bracket::checks::{Check, Judgement, Status, Topic, Unit, Worked};
+use bracket::checks::subject::{Part, Place};
+use bracket::checks::{Check, CheckId, Judgement, Status, Topic, Unit, Worked};
 use bracket::model::AnalysisKind;
 use bracket::report::markdown::compose::report_markdown;
 use bracket::report::markdown::report_data::CatalogueRow;
@@ -115,23 +116,24 @@ fn case(name: &str) -> CaseResult {
 
 fn checks() -> Vec<Check> {
     let table = |title| ("EN 1993-1-8:2005 Table 3.3", title);
-    let plate = (Topic::Detailing, "end plate");
+    let plate = (Topic::Detailing, Part::EndPlate);
     let (f_ub, a_s) = (Traced::stress("f_ub", 800.0), Traced::area("A_s", 192.0));
     let force = Traced::number("k2", 0.9) * f_ub * a_s / Traced::number("γ_M2", 1.25);
     let tension = Worked::of(
         "EN 1993-1-8:2005 Table 3.4",
-        "tension resistance of a bolt",
+        CheckId::BoltTensionResistance,
         "F_t,Rd",
         force,
         Unit::Force,
     );
+    let bolt = Place::Bolt { size: "M18".into(), grade: "8.8".into() };
     let d0 = |factor: f64| Traced::from(factor) * Traced::length("d0", 20.0);
     vec![
-        Check::at_least(plate, table("edge distance"), "e2", d0(1.2), 22.0, Status::Failed),
-        Check::at_least(plate, table("pitch of the rows"), "p1", d0(2.2), 90.0, Status::Failed),
+        Check::at_least(plate, table(CheckId::EdgeDistance), "e2", d0(1.2), 22.0, Status::Failed),
+        Check::at_least(plate, table(CheckId::PitchOfRows), "p1", d0(2.2), 90.0, Status::Failed),
         Check::at_most(
             plate,
-            table("exposed steel"),
+            table(CheckId::PitchOfRowsExposed),
             "p1",
             (Traced::from(14.0) * Traced::length("t", 15.0)).min(Traced::from(200.0)),
             235.0,
@@ -140,7 +142,7 @@ fn checks() -> Vec<Check> {
         tension
             .with("k2", 0.9, Unit::Number)
             .with("A_s", 192.0, Unit::Area)
-            .information(Topic::Bolts, "M18 8.8"),
+            .information(Topic::Bolts, bolt),
     ]
 }
 
@@ -222,6 +224,7 @@ fn data() -> ReportData {
             columns: ["part", "number", "all [kg]"].map(String::from).to_vec(),
             rows: vec![["bolt", "12", "4.35"].map(String::from).to_vec()],
         },
+        butt_welds: false,
         welds: Table {
             columns: ["weld", "seams", "all [mm]"].map(String::from).to_vec(),
             rows: vec![["beam web", "2", "542"].map(String::from).to_vec()],

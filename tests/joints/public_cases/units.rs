@@ -2,6 +2,7 @@
 //! rewritten in other units give the same verdict and numbers.
 
 use crate::numbers::Numbers;
+use bracket::assembly::Facts;
 use bracket::catalog::Catalog;
 use bracket::checks::design_code::build;
 use bracket::checks::{Analysed, Check, HandChecks, hand_checks, judge};
@@ -208,7 +209,7 @@ fn checks(text: &str, catalog: &Catalog) -> Result<HandChecks, String> {
         .unwrap_or_else(|e| panic!("{e:?}: {text}"));
     let joint =
         build(&spec, Path::new(""), catalog).map_err(|faults| faults.into_first().message)?;
-    Ok(joint.end_plate.as_ref().map(hand_checks).expect("an end plate"))
+    Ok(joint.facts.as_ref().map(|Facts::EndPlate(e)| hand_checks(e)).expect("an end plate"))
 }
 
 fn near(a: f64, b: f64) -> bool {
@@ -217,7 +218,7 @@ fn near(a: f64, b: f64) -> bool {
 }
 
 fn same(a: &Check, b: &Check) -> Result<(), String> {
-    let name = |c: &Check| (c.title.clone(), c.subject.clone(), c.status, c.clause.clone());
+    let name = |c: &Check| (c.title.text(), c.subject.text(), c.status, c.clause.clone());
     if name(a) != name(b) {
         return Err(format!("{:?} is not {:?}", name(a), name(b)));
     }
@@ -256,7 +257,7 @@ fn units_change_no_verdict_and_no_number() {
         assert_eq!(one.verdict, two.verdict, "{}\n{}\n{plain}{other}", one.reason, two.reason);
         verdicts[one.verdict as usize % 4] += 1;
         let titles = |h: &HandChecks| -> Vec<(String, String)> {
-            h.checks.iter().map(|c| (c.title.clone(), c.subject.clone())).collect()
+            h.checks.iter().map(|c| (c.title.text(), c.subject.text())).collect()
         };
         let (left, right) = (titles(&a), titles(&b));
         let single = |a: &[(String, String)], b: &[(String, String)]| {

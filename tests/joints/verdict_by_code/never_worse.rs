@@ -90,7 +90,7 @@ fn no_analysis_makes_a_joint_worse_than_its_checks_unless_it_proves_collapse() {
                         && c.case.as_ref().is_none_or(|case| case == "A")
                 };
                 let mut bad = hand.checks.iter().filter(binds);
-                assert!(bad.all(|c| c.topic == Topic::ComponentMethod), "{}", place());
+                assert!(bad.all(|c| c.binding == Binding::Strength), "{}", place());
             }
             seen[rank(alone.verdict)][rank(j.verdict)] += 1;
         }

@@ -1,15 +1,17 @@
 //! Assembly of the components: row forces and moment resistance. EN 1993-1-8:2005 6.2.7.2.
 
 use super::column_web::{self, ShearPanel};
+use super::component_kind::{ComponentKind, ElasticRule, LimitedBy, Summed};
 use super::compressed_zone::CompressedZone;
 use super::joint::EndPlateJoint;
 use super::rows::{Component, Rows};
 use super::stability::{Stability, stability};
 use super::t_stub::Mode;
-use super::{MOMENT_RESISTANCE, beam, stiffness};
-use crate::check::{Unit, within};
+use super::{beam, stiffness};
+use crate::check::{CheckId, Unit, within};
 use crate::error::CheckError;
 use crate::formula::{Formula, Style, Traced};
+use crate::subject::Part;
 use crate::worked::Worked;
 use bracket_joint::assembly::Way;
 
@@ -28,12 +30,12 @@ pub(super) fn elastic_limit(
     joint: &EndPlateJoint,
     above: &[RowForce],
     lever: f64,
-) -> Option<(f64, &'static str)> {
+) -> Option<(f64, ElasticRule)> {
     let of = |x: &RowForce| x.grouped * lever / x.lever;
     let near = above.iter().filter(|x| x.nearly_bolts(joint.bolts.tension));
-    let near = near.map(|x| (of(x), "6.2.7.2(9), lever arms"));
+    let near = near.map(|x| (of(x), ElasticRule::NearlyBolts));
     let outermost = above.first().filter(|_| joint.triangular);
-    let outermost = outermost.map(|x| (of(x), "UK NA.2.7, triangular limit"));
+    let outermost = outermost.map(|x| (of(x), ElasticRule::Triangular));
     near.chain(outermost).reduce(|a, b| if b.0 < a.0 { b } else { a })
 }
 
@@ -63,23 +65,12 @@ pub struct RowForce {
     pub grouped: f64,
     /// F_tr,Rd, after compression and shear as well \[N\].
     pub force: f64,
-    /// The limiting component, in words.
-    pub limited_by: String,
+    /// What limits it.
+    pub limited_by: LimitedBy,
     /// The mode of the T-stub that limits it, if one does.
     pub mode: Option<Mode>,
     /// Whether 6.2.7.2(9), or the UK annex's rule in its place, reduces it.
     pub elastic: bool,
-}
-
-/// A component that limits the sum of the rows.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Summed {
-    /// Column web in compression.
-    ColumnWeb,
-    /// Beam flange and web in compression.
-    BeamFlange,
-    /// Column web panel in shear, over β.
-    Panel,
 }
 
 /// A limit of the sum of the rows.
@@ -120,9 +111,9 @@ impl RowForce {
 
     /// The part whose bending, alone or with the bolts, limits the row; `None` where another
     /// component does.
-    pub fn bending_of(&self) -> Option<&'static str> {
+    pub fn bending_of(&self) -> Option<Part> {
         self.mode.filter(|m| m.bends() && self.force > 0.0)?;
-        ["end plate", "column flange"].into_iter().find(|part| self.limited_by.starts_with(part))
+        self.limited_by.component().map(ComponentKind::part)
     }
 
     /// Force of one bolt of the row, prying included, under a fraction `share` of F_tr,Rd \[N\]:
@@ -173,10 +164,10 @@ pub fn assess(joint: &EndPlateJoint) -> Result<Assessment, CheckError> {
     let limiting = resistance.as_ref().filter(|_| sheared);
     let limits = limits(joint, &rows, beam_moment.value, limiting);
     let stability = stability(joint, &rows, panel.as_ref().filter(|_| sheared));
-    let (mut left, mut least) = (f64::INFINITY, "");
+    let (mut left, mut least) = (f64::INFINITY, None);
     for l in &limits {
         if !within(left, l.worked.value) {
-            least = l.worked.title;
+            least = Some(LimitedBy::Sum(l.worked.id));
         }
         left = left.min(l.worked.value);
     }
@@ -185,27 +176,29 @@ pub fn assess(joint: &EndPlateJoint) -> Result<Assessment, CheckError> {
         let alone = rows.components(r, r);
         let mut limit = Least::none();
         for c in &alone {
-            limit.lower(c.worked.value, || c.name.into(), c.mode);
+            limit.lower(c.worked.value, LimitedBy::Row(c.kind), c.mode);
         }
         let single = limit.force;
         let mut groups = Vec::new();
         for first in (0..r).rev() {
             let above: f64 = found[first..].iter().map(|f| f.grouped).sum();
             for component in rows.components(first, r) {
-                let words = || format!("{}, rows {}–{}", component.name, first + 1, r + 1);
-                limit.lower(component.worked.value - above, words, component.mode);
+                let by = LimitedBy::Group { component: component.kind, rows: [first, r] };
+                limit.lower(component.worked.value - above, by, component.mode);
                 groups.push(Group { first, component });
             }
         }
         let mut elastic = false;
         if let Some((proportional, rule)) = elastic_limit(joint, &found, rows.lever[r]) {
             elastic = proportional < limit.force;
-            limit.lower(proportional, || rule.into(), None);
+            limit.lower(proportional, LimitedBy::Elastic(rule), None);
         }
         // the forces of the rows in a group do not depend on compression: once compression limits a
         // row, nothing remains for the rows below
         let grouped = limit.force.max(0.0);
-        limit.lower(left, || least.into(), None);
+        if let Some(by) = least {
+            limit.lower(left, by, None);
+        }
         let force = limit.force.max(0.0);
         left -= force;
         found.push(RowForce {
@@ -216,7 +209,7 @@ pub fn assess(joint: &EndPlateJoint) -> Result<Assessment, CheckError> {
             single,
             grouped,
             force,
-            limited_by: limit.words,
+            limited_by: limit.by,
             mode: limit.mode,
             elastic,
         });
@@ -237,19 +230,21 @@ pub fn assess(joint: &EndPlateJoint) -> Result<Assessment, CheckError> {
 /// The least limit so far and its component.
 struct Least {
     force: f64,
-    words: String,
+    by: LimitedBy,
     mode: Option<Mode>,
 }
 
 impl Least {
+    /// Before any limit; every row has an end plate.
     fn none() -> Self {
-        Self { force: f64::INFINITY, words: String::new(), mode: None }
+        let by = LimitedBy::Row(ComponentKind::EndPlate);
+        Self { force: f64::INFINITY, by, mode: None }
     }
 
-    fn lower(&mut self, force: f64, words: impl FnOnce() -> String, mode: Option<Mode>) {
+    fn lower(&mut self, force: f64, by: LimitedBy, mode: Option<Mode>) {
         // of equal limits the first names the row
         if !within(self.force, force) {
-            *self = Self { force, words: words(), mode };
+            *self = Self { force, by, mode };
         }
         self.force = self.force.min(force);
     }
@@ -259,8 +254,8 @@ impl Least {
 fn moment(rows: &[RowForce]) -> Worked {
     let of = |r: &RowForce| Traced::length("h_r", r.lever) * Traced::force("F_tr,Rd", r.force);
     let value = Traced::series(rows.iter().filter(|r| r.force > 0.0).map(of));
-    let (clause, title) = ("EN 1993-1-8:2005 6.2.7.2(1)", MOMENT_RESISTANCE);
-    Worked::of(clause, title, "M_j,Rd", value, Unit::Moment)
+    let (clause, id) = ("EN 1993-1-8:2005 6.2.7.2(1)", CheckId::MomentResistance);
+    Worked::of(clause, id, "M_j,Rd", value, Unit::Moment)
 }
 
 /// The column web panel; `None` without a column.

@@ -1,6 +1,6 @@
 //! The beam: flange and web in compression, web in tension. EN 1993-1-8:2005 6.2.6.7 and 6.2.6.8.
 
-use crate::check::{Unit, within};
+use crate::check::{CheckId, Unit, within};
 use crate::eurocode::i_section::Section;
 use crate::eurocode::section::{
     Class, Slenderness, epsilon, modulus_beside_shear, shear_reduction,
@@ -69,7 +69,7 @@ pub fn bending_6_2_8(beam: &Section, fy: f64, shear: f64, gamma_m0: f64) -> Work
     };
     let mut worked = Worked::of(
         "EN 1993-1-1:2005 6.2.5",
-        "moment resistance of the beam",
+        CheckId::BeamMomentResistance,
         symbol,
         moment,
         Unit::Moment,
@@ -100,8 +100,8 @@ pub fn flange_compression(beam: &Section, moment: f64, fy: f64, gamma_m0: f64) -
             force = limit;
         }
     }
-    let title = "beam flange and web in compression";
-    Worked::of("EN 1993-1-8:2005 6.2.6.7", title, "F_c,fb,Rd", force, Unit::Force)
+    let id = CheckId::BeamFlangeCompression;
+    Worked::of("EN 1993-1-8:2005 6.2.6.7", id, "F_c,fb,Rd", force, Unit::Force)
         .with("M_c,Rd", moment, Unit::Moment)
         .with("h − t_fb", lever, Unit::Length)
 }
@@ -118,8 +118,8 @@ pub fn web_tension(effective_width: f64, web: f64, fy: f64, gamma_m0: f64) -> Wo
         * Traced::length("t_wb", web)
         * Traced::stress("f_y", fy)
         / Traced::number("γ_M0", gamma_m0);
-    let title = "beam web in tension";
-    Worked::of("EN 1993-1-8:2005 6.2.6.8", title, "F_t,wb,Rd", value, Unit::Force)
+    let id = CheckId::BeamWebTension;
+    Worked::of("EN 1993-1-8:2005 6.2.6.8", id, "F_t,wb,Rd", value, Unit::Force)
         .with("b_eff", effective_width, Unit::Length)
         .with("t_w", web, Unit::Length)
         .with("f_y", fy, Unit::Stress)

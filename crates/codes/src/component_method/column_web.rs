@@ -1,7 +1,7 @@
 //! The column web in tension, compression and shear: EN 1993-1-8:2005 6.2.6.1 to 6.2.6.3.
 
 use super::joint::Column;
-use crate::check::{Unit, within};
+use crate::check::{CheckId, Unit, within};
 use crate::eurocode::section::{epsilon, shear_buckling};
 use crate::formula::{Derivation, Formula, Line, Number, Relation, Traced};
 use crate::worked::Worked;
@@ -103,7 +103,7 @@ impl ShearPanel {
             force = force + Traced::force("V_wp,add,Rd", self.stiffeners);
         }
         let (slenderness, limit) = self.slenderness();
-        let title = "column web panel in shear";
+        let id = CheckId::ColumnPanel;
         let (mut clause, mut symbol) = ("EN 1993-1-8:2005 6.2.6.1", "V_wp,Rd");
         if self.slender() {
             let (_, chi) = shear_buckling(self.web_depth, self.web, self.fy);
@@ -117,11 +117,8 @@ impl ShearPanel {
                 (clause, symbol, force) = ("EN 1993-1-5:2006 5.2", "V_wp,max", buckling);
             }
         }
-        let mut worked = Worked::of(clause, title, symbol, force, Unit::Force).with(
-            "A_vc",
-            self.area,
-            Unit::Area,
-        );
+        let mut worked =
+            Worked::of(clause, id, symbol, force, Unit::Force).with("A_vc", self.area, Unit::Area);
         if self.stiffeners > 0.0 {
             worked = worked.with("V_wp,add,Rd", self.stiffeners, Unit::Force);
         }
@@ -156,8 +153,8 @@ pub fn tension(effective_width: f64, web: f64, fy: f64, omega: f64, gamma_m0: f6
         * Traced::length("t_wc", web)
         * Traced::stress("f_y", fy)
         / Traced::number("γ_M0", gamma_m0);
-    let title = "column web in tension";
-    Worked::of("EN 1993-1-8:2005 6.2.6.3", title, "F_t,wc,Rd", value, Unit::Force)
+    let id = CheckId::ColumnWebTension;
+    Worked::of("EN 1993-1-8:2005 6.2.6.3", id, "F_t,wc,Rd", value, Unit::Force)
         .with("ω", omega, Unit::Number)
         .with("b_eff", effective_width, Unit::Length)
         .with("t_w", web, Unit::Length)
@@ -242,8 +239,8 @@ impl CompressedWeb {
         let (rho, kwc) = (self.buckling(), self.longitudinal_factor());
         let [crush, buckle]: [f64; 2] = [self.force(None), self.force(Some(rho))];
         let force: Traced = self.force((buckle < crush).then_some(rho));
-        let title = "column web in compression";
-        Worked::of("EN 1993-1-8:2005 6.2.6.2", title, "F_c,wc,Rd", force, Unit::Force)
+        let id = CheckId::ColumnWebCompression;
+        Worked::of("EN 1993-1-8:2005 6.2.6.2", id, "F_c,wc,Rd", force, Unit::Force)
             .with("b_eff", self.effective_width, Unit::Length)
             .with("λ̄_p", self.slenderness(), Unit::Number)
             .with("ρ", rho, Unit::Number)

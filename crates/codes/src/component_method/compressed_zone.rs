@@ -3,7 +3,7 @@
 
 use super::column_web::{CompressedWeb, compressed_thickness, shear_interaction};
 use super::joint::{Column, EndPlateJoint};
-use crate::check::{Unit, within};
+use crate::check::{CheckId, Unit, within};
 use crate::eurocode::section::epsilon;
 use crate::formula::Traced;
 use crate::worked::Worked;
@@ -138,7 +138,7 @@ impl CompressedWeb {
                 / gamma;
         Worked::of(
             "EN 1993-1-8:2005 6.2.6.2(4), EN 1993-1-5:2006 9.4",
-            "stiffened column web in compression",
+            CheckId::StiffenedWebCompression,
             "F_c,wc,Rd",
             force,
             Unit::Force,

@@ -4,6 +4,7 @@
 use crate::check::within;
 use crate::error::{CheckError, not_negative, positive};
 use crate::eurocode::i_section::Section;
+use crate::subject::Sense;
 use bracket_joint::assembly::ColumnEnds;
 use serde::{Deserialize, Serialize};
 
@@ -156,6 +157,15 @@ impl EndPlateJoint {
         (j.plate.bottom, j.plate.top) = (-self.plate.top, -self.plate.bottom);
         j.bolts.rows.iter_mut().for_each(|z| *z = -*z);
         j
+    }
+
+    /// The joint turned so that the tension of a sense of bending is at the top.
+    #[must_use]
+    pub fn turned(&self, sense: Sense) -> Self {
+        match sense {
+            Sense::Top => self.clone(),
+            Sense::Bottom => self.mirrored(),
+        }
     }
 
     /// Refuses values for which the formulas have no meaning.

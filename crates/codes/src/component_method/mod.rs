@@ -3,6 +3,7 @@
 pub mod assembly;
 pub mod beam;
 pub mod column_web;
+pub mod component_kind;
 pub mod compressed_zone;
 pub mod effective_lengths;
 pub mod equilibrium;
@@ -12,14 +13,8 @@ pub mod stability;
 pub mod stiffness;
 pub mod t_stub;
 
-/// Title of the check with M_j,Rd.
-pub const MOMENT_RESISTANCE: &str = "moment resistance of the joint";
-/// Title of the check with S_j,ini.
-pub const INITIAL_STIFFNESS: &str = "initial rotational stiffness";
-/// Title of the check with S_j,ini/η.
-pub const ELASTIC_STIFFNESS: &str = "rotational stiffness for elastic analysis";
-
-pub use assembly::{Assessment, Summed, assess};
+pub use assembly::{Assessment, assess};
+pub use component_kind::{ComponentKind, ElasticRule, LimitedBy, Summed};
 pub use equilibrium::Equilibrium;
 pub use joint::EndPlateJoint;
 pub use stability::Stability;

@@ -4,6 +4,7 @@
 //! Tension is at the top; [`EndPlateJoint::mirrored`] converts the other sense to this one. EN
 //! 1993-1-8:2005 6.2.4 to 6.2.6.
 
+use super::component_kind::ComponentKind;
 use super::effective_lengths::{self as lengths, Lengths};
 use super::joint::{Column, EndPlateJoint};
 use super::t_stub::{Mode, Prying, TStub, prying};
@@ -23,8 +24,8 @@ const ROOT: f64 = 0.8;
 /// One component of the joint and its resistance.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Component {
-    /// `column flange`, `column web`, `end plate`, `beam web`.
-    pub name: &'static str,
+    /// What it is.
+    pub kind: ComponentKind,
     /// Its resistance.
     pub worked: Worked,
     /// Failure mode, if it is a T-stub.
@@ -35,7 +36,7 @@ pub struct Component {
     pub stub: Option<Stub>,
 }
 
-/// Dimensions of the T-stub of a row or a group.
+/// Dimensions of the T-stub of a row or a group, and its modes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stub {
     /// The T-stub.
@@ -46,6 +47,8 @@ pub struct Stub {
     pub lengths: Lengths,
     /// m2 \[mm\] and α of the stiffeners, or flanges of the beam, beside the first and last row.
     pub beside: Vec<(f64, f64)>,
+    /// Resistances of its modes \[N\].
+    pub modes: Vec<(Mode, f64)>,
 }
 
 /// Side of the joint whose T-stub a group forms.
@@ -134,9 +137,11 @@ impl<'a> Rows<'a> {
                 "a gauge inside the flange (`bolts.gauge`)",
             );
         }
-        let column = self.joint.column.as_ref().map(|c| (self.m_column(c), "column web"));
-        for (m, what) in column.into_iter().chain([(self.m_beam(), "beam web")]) {
+        let column =
+            self.joint.column.as_ref().map(|c| (self.m_column(c), ComponentKind::ColumnWeb));
+        for (m, what) in column.into_iter().chain([(self.m_beam(), ComponentKind::BeamWeb)]) {
             if m <= 0.0 {
+                let what = what.words();
                 return not(
                     format!("the bolts stand in the root or weld of the {what}: m = {} mm", n(m)),
                     "EN 1993-1-8:2005 figures 6.8 and 6.10",
@@ -354,7 +359,7 @@ impl<'a> Rows<'a> {
             m2.map(|m2| (m2, lengths::alpha(m, e, m2))).collect()
         };
         let stub =
-            |name, lengths: Lengths, (m, e): (f64, f64), edge: f64, (thickness, fy), beside| {
+            |kind, lengths: Lengths, (m, e): (f64, f64), edge: f64, (thickness, fy), beside| {
                 let length1 = lengths.mode1();
                 let stub = TStub {
                     m,
@@ -373,10 +378,10 @@ impl<'a> Rows<'a> {
                     washer_quarter: j.bolts.washer.map(|d| 0.25 * d),
                 };
                 let r = stub.resistance();
-                let stub = Some(Stub { of: stub, e, lengths, beside });
-                Component { name, mode: Some(r.mode), bolts: Some(r.bolts), worked: r.worked, stub }
+                let stub = Some(Stub { of: stub, e, lengths, beside, modes: r.modes });
+                Component { kind, mode: Some(r.mode), bolts: Some(r.bolts), worked: r.worked, stub }
             };
-        let web = |name, worked| Component { name, worked, mode: None, bolts: None, stub: None };
+        let web = |kind, worked| Component { kind, worked, mode: None, bolts: None, stub: None };
         let mut out = Vec::new();
         let grouped = |side| rows == 1 || self.joined(side, first, last);
         if let Some(c) = j.column.as_ref().filter(|_| grouped(Side::Column)) {
@@ -384,7 +389,7 @@ impl<'a> Rows<'a> {
             let (m, e) = (self.m_column(c), self.e_column(c));
             let beside = beside(m, e, &|row| self.stiffeners(row));
             let steel = (c.section.tf, c.fy);
-            out.push(stub("column flange", lengths, (m, e), e_min, steel, beside));
+            out.push(stub(ComponentKind::ColumnFlange, lengths, (m, e), e_min, steel, beside));
             let omega = column_web::shear_interaction(
                 j.beta,
                 lengths.mode1(),
@@ -394,7 +399,7 @@ impl<'a> Rows<'a> {
             let thickness = column_web::tension_thickness(c.section.tw, c.doublers, c.fy);
             let length = lengths.mode1();
             let worked = column_web::tension(length, thickness, c.fy, omega, j.gamma_m0);
-            out.push(web("column web", worked));
+            out.push(web(ComponentKind::ColumnWeb, worked));
         }
         if grouped(Side::Beam) {
             let lengths: Lengths = (first..=last).map(|row| self.on_plate(row, group)).sum();
@@ -406,11 +411,11 @@ impl<'a> Rows<'a> {
                 (m, e, e_min, beside(m, e, &|row| self.beside_flanges(row)))
             };
             let steel = (j.plate.thickness, j.plate.fy);
-            out.push(stub("end plate", lengths, (m, e), edge, steel, beside));
+            out.push(stub(ComponentKind::EndPlate, lengths, (m, e), edge, steel, beside));
             if !self.outside(z) {
                 let worked =
                     beam::web_tension(lengths.mode1(), j.beam.section.tw, j.beam.fy, j.gamma_m0);
-                out.push(web("beam web", worked));
+                out.push(web(ComponentKind::BeamWeb, worked));
             }
         }
         out

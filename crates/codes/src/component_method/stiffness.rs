@@ -1,10 +1,10 @@
 //! Rotational stiffness: EN 1993-1-8:2005 6.3.
 
+use super::column_web;
 use super::compressed_zone::CompressedZone;
 use super::joint::EndPlateJoint;
 use super::rows::Rows;
-use super::{ELASTIC_STIFFNESS, INITIAL_STIFFNESS, column_web};
-use crate::check::Unit;
+use crate::check::{CheckId, Unit};
 use crate::error::CheckError;
 use crate::formula::{Formula, Number, Traced};
 use crate::worked::Worked;
@@ -126,7 +126,7 @@ pub fn initial(joint: &EndPlateJoint, rows: &Rows<'_>) -> Result<Stiffness, Chec
     // deforms in shear
     let kept = panel.is_some() && c.is_some_and(|c| c.stiffener > 0.0);
     let (clause, unit) = ("EN 1993-1-8:2005 6.3.1(4)", Unit::Rotational);
-    let mut worked = Worked::of(clause, INITIAL_STIFFNESS, "S_j,ini", value, unit);
+    let mut worked = Worked::of(clause, CheckId::InitialStiffness, "S_j,ini", value, unit);
     if kept {
         worked = worked.after("k1 kept finite beside transverse stiffeners");
     }
@@ -154,8 +154,8 @@ pub fn at_moment(initial: f64, demand: f64, resistance: f64) -> Worked {
     let elastic = ratio.value() <= 2.0 / 3.0;
     let mu = if elastic { 1.0.into() } else { (Traced::from(1.5) * ratio).powf(PSI.into()) };
     let mu = mu.named("μ", Unit::Number);
-    let (clause, title) = ("EN 1993-1-8:2005 6.3.1(6)", "rotational stiffness under the moment");
-    let worked = Worked::of(clause, title, "S_j", initial / mu.clone(), Unit::Rotational);
+    let (clause, id) = ("EN 1993-1-8:2005 6.3.1(6)", CheckId::StiffnessAtMoment);
+    let worked = Worked::of(clause, id, "S_j", initial / mu.clone(), Unit::Rotational);
     let worked = worked.with("μ", mu.value(), Unit::Number);
     if elastic { worked } else { worked.after(Formula::new("μ", mu, Unit::Number)) }
 }
@@ -182,5 +182,5 @@ pub fn for_elastic_analysis(initial: f64, joins: Joins) -> Worked {
     let initial = Traced::symbol("S_j,ini", initial, Unit::Rotational);
     let value = initial / Traced::number("η", eta);
     let (clause, unit) = ("EN 1993-1-8:2005 5.1.2(4)", Unit::Rotational);
-    Worked::of(clause, ELASTIC_STIFFNESS, "S_j,ini/η", value, unit)
+    Worked::of(clause, CheckId::ElasticStiffness, "S_j,ini/η", value, unit)
 }

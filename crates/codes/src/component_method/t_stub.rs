@@ -1,19 +1,24 @@
 //! The equivalent T-stub in tension: EN 1993-1-8:2005 Table 6.2.
 
-use crate::check::{Unit, within};
+use crate::check::{CheckId, Unit, within};
 use crate::formula::{Number, Traced};
 use crate::worked::Worked;
+use serde::{Deserialize, Serialize};
 
 /// Failure mode of a T-stub.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Mode {
     /// Complete yielding of the flange.
+    #[serde(rename = "mode 1")]
     Flange,
     /// Bolt failure with yielding of the flange.
+    #[serde(rename = "mode 2")]
     FlangeAndBolts,
     /// Bolt failure.
+    #[serde(rename = "mode 3")]
     Bolts,
     /// Yielding of the flange without prying forces.
+    #[serde(rename = "mode 1-2")]
     FlangeWithoutPrying,
 }
 
@@ -25,6 +30,16 @@ impl Mode {
             Mode::FlangeAndBolts => "mode 2",
             Mode::Bolts => "mode 3",
             Mode::FlangeWithoutPrying => "mode 1-2",
+        }
+    }
+
+    /// The number of the mode alone, as a column of a table has it.
+    pub fn number(self) -> &'static str {
+        match self {
+            Mode::Flange => "1",
+            Mode::FlangeAndBolts => "2",
+            Mode::Bolts => "3",
+            Mode::FlangeWithoutPrying => "1-2",
         }
     }
 
@@ -77,6 +92,8 @@ pub struct Resistance {
     pub mode: Mode,
     /// Force of all bolts at that resistance, prying included; at most ΣF_t,Rd.
     pub bolts: f64,
+    /// The resistance of each mode.
+    pub modes: Vec<(Mode, f64)>,
     /// The least of the modes, with its derivation; each mode is a step of it.
     pub worked: Worked,
 }
@@ -101,11 +118,11 @@ impl TStub {
         let modes: Vec<(Mode, f64)> =
             modes.iter().map(|mode| (*mode, self.of_mode(*mode, plastic))).collect();
         // of equal modes the first decides
-        let least = modes.iter().fold(&modes[0], |a, b| if within(a.1, b.1) { a } else { b });
+        let least = *modes.iter().fold(&modes[0], |a, b| if within(a.1, b.1) { a } else { b });
         // tracing a formula takes longer than computing it: only that of the mode that decides
         let force: Traced = self.of_mode(least.0, plastic);
-        let (clause, title) = ("EN 1993-1-8:2005 Table 6.2", "T-stub in tension");
-        let mut worked = Worked::of(clause, title, "F_T,Rd", force, Unit::Force)
+        let (clause, id) = ("EN 1993-1-8:2005 Table 6.2", CheckId::TStub);
+        let mut worked = Worked::of(clause, id, "F_T,Rd", force, Unit::Force)
             .after(least.0.name())
             .with("m", self.m, Unit::Length)
             .with("n", self.n, Unit::Length)
@@ -123,7 +140,7 @@ impl TStub {
             Mode::FlangeAndBolts | Mode::Bolts => self.bolts,
             Mode::FlangeWithoutPrying => least.1,
         };
-        Resistance { mode: least.0, bolts: bolts.min(self.bolts), worked }
+        Resistance { mode: least.0, bolts: bolts.min(self.bolts), modes, worked }
     }
 
     /// Resistance of a mode \[N\] with M_pl,1 and M_pl,2 \[N mm\].

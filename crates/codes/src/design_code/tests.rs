@@ -4,7 +4,7 @@ use super::{DesignCode, build, design_strengths};
 use crate::eurocode::bolts::tension_resistance;
 use bracket_base::diag::Diagnostics;
 use bracket_base::yaml;
-use bracket_joint::assembly::{EndPlate, Joint};
+use bracket_joint::assembly::{EndPlate, Facts, Joint};
 use bracket_joint::catalog::Catalog;
 use bracket_joint::spec::ConnectionSpec;
 use bracket_joint::spec::code::PartialFactors;
@@ -122,20 +122,19 @@ fn origins(code: &str) -> Vec<(String, String, String)> {
 
 #[test]
 fn what_is_given_wins_over_the_annex_and_the_annex_over_the_recommended_value() {
-    let e = ok(PAPER).end_plate.expect("hand checks");
+    let Facts::EndPlate(e) = ok(PAPER).facts.expect("hand checks");
     let six = |e: &EndPlate| {
         let f = &e.factors;
         [f.gamma_m0, f.gamma_m1, f.gamma_m2, f.gamma_m3, f.gamma_m3_ser, f.gamma_m7]
     };
     assert_eq!(six(&e), [1.0, 1.0, 1.25, 1.25, 1.1, 1.1]);
-    let e = ok(&with_code("{annex: Germany, gamma_M2: 1.3}")).end_plate.expect("hand checks");
+    let german = ok(&with_code("{annex: Germany, gamma_M2: 1.3}"));
+    let Facts::EndPlate(e) = german.facts.expect("hand checks");
     assert_eq!(six(&e), [1.0, 1.1, 1.3, 1.25, 1.1, 1.1]);
     let all = "{gamma_M0: 1.01, gamma_M1: 1.02, gamma_M2: 1.03, gamma_M3: 1.04, gamma_M3_ser: \
                1.05, gamma_M7: 1.06}";
-    assert_eq!(
-        six(&ok(&with_code(all)).end_plate.expect("hand checks")),
-        [1.01, 1.02, 1.03, 1.04, 1.05, 1.06]
-    );
+    let Facts::EndPlate(e) = ok(&with_code(all)).facts.expect("hand checks");
+    assert_eq!(six(&e), [1.01, 1.02, 1.03, 1.04, 1.05, 1.06]);
 }
 
 /// A factor below the recommended one gives a warning; one that an annex raises does not.

@@ -1,15 +1,16 @@
 //! Assumptions of the checks where the spec gives no value, and input that the code does not cover.
 
 use super::column_forces::{ColumnForces, corner};
-use crate::check::{Check, Status, Topic, Unit};
+use crate::check::{Check, CheckId, Status, Topic, Unit};
+use crate::subject::{Part, Place};
 use bracket_joint::assembly::{EndPlate, NotChecked, UnseenLoad};
 
 /// Loads that the checks leave out.
 pub(super) fn unseen_loads(e: &EndPlate) -> Vec<Check> {
     let unseen = |l: &UnseenLoad| {
-        let (clause, title) = ("EN 1993-1-8:2005 6.2", "loads that the checks do not hold");
+        let (clause, id) = ("EN 1993-1-8:2005 6.2", CheckId::LoadsNotHeld);
         let topic = Topic::ComponentMethod;
-        Check::undecided(topic, "joint", clause, title, l.why.clone(), &l.step).of_case(&l.case)
+        Check::undecided(topic, Part::Joint, clause, id, l.why.clone(), &l.step).of_case(&l.case)
     };
     e.unseen.iter().map(unseen).collect()
 }
@@ -18,38 +19,41 @@ pub(super) fn unseen_loads(e: &EndPlate) -> Vec<Check> {
 /// lacks.
 pub(super) fn not_checked(e: &EndPlate) -> Vec<Check> {
     let check = |n: &NotChecked| {
-        let (topic, title) = (Topic::Member, format!("not checked: {}", n.parts.join(", ")));
-        let (label, clause) = (n.label.clone(), "EN 1993-1-8:2005 2.4");
-        match n.binds {
-            true => Check::undecided(topic, label, clause, &title, n.why.clone(), n.step),
+        let (topic, id) = (Topic::Member, CheckId::NotChecked);
+        let (label, clause) = (Place::Named(n.label.clone()), "EN 1993-1-8:2005 2.4");
+        let check = match n.binds {
+            true => Check::undecided(topic, label, clause, id, n.why.clone(), n.step),
             false => {
-                let noted = Check::assumption(topic, label, clause, &title, n.why.clone());
+                let noted = Check::assumption(topic, label, clause, id, n.why.clone());
                 Check { status: Status::Warning, ..noted }
             }
-        }
+        };
+        check.naming(n.parts.join(", "))
     };
     e.not_checked.iter().map(check).collect()
 }
 
 /// Fillet welds of steels for which Table 4.1 has no β_w: the code gives them no strength.
 pub(super) fn no_weld_strength(e: &EndPlate) -> Vec<Check> {
-    let column =
-        e.column.as_ref().map(|c| (c.stiffener_throat.max(c.doubler_throat), &c.steel, "column"));
+    let column = e
+        .column
+        .as_ref()
+        .map(|c| (c.stiffener_throat.max(c.doubler_throat), &c.steel, Part::Column));
     let beam = e.beam_steel.weaker(&e.plate_steel);
-    let beam = (e.flange_throat.max(e.web_throat).max(e.rib_throat), beam, "beam and end plate");
+    let beam = (e.flange_throat.max(e.web_throat).max(e.rib_throat), beam, Part::BeamAndEndPlate);
     let without = column
         .into_iter()
         .chain([beam])
         .filter(|(throat, steel, _)| *throat > 0.0 && steel.beta_w.is_none());
     without
         .map(|(_, steel, part)| {
-            let (clause, title) = ("EN 1993-1-8:2005 Table 4.1", "strength of fillet welds");
+            let (clause, id) = ("EN 1993-1-8:2005 Table 4.1", CheckId::WeldStrength);
             let why = format!(
                 "Table 4.1 has no β_w for {}: its fillet welds have no strength by this code",
                 steel.grade
             );
             let step = "butt welds, or a row with β_w in a table of your own (`catalog`)";
-            Check::undecided(Topic::Welds, part, clause, title, why, step)
+            Check::undecided(Topic::Welds, part, clause, id, why, step)
         })
         .collect()
 }
@@ -57,7 +61,7 @@ pub(super) fn no_weld_strength(e: &EndPlate) -> Vec<Check> {
 /// Assumptions of the component method where the spec gives no value.
 pub(super) fn assumptions(e: &EndPlate) -> Vec<Check> {
     let topic = Topic::ComponentMethod;
-    let (clause, title) = ("EN 1993-1-8:2005 Table 6.2", "prying forces");
+    let (clause, id) = ("EN 1993-1-8:2005 Table 6.2", CheckId::PryingForces);
     let rule = match e.always_prying {
         true => {
             "they are taken to develop in every T-stub, whatever the length of the bolts \
@@ -68,16 +72,16 @@ pub(super) fn assumptions(e: &EndPlate) -> Vec<Check> {
              takes them to develop everywhere"
         }
     };
-    let mut out = vec![Check::assumption(topic, "T-stubs", clause, title, rule)];
+    let mut out = vec![Check::assumption(topic, Part::TStubs, clause, id, rule)];
     if e.outer_gauge > 0.0 {
-        let (clause, title) = ("EN 1993-1-8:2005 6.2.4", "four bolts in a row");
+        let (clause, id) = ("EN 1993-1-8:2005 6.2.4", CheckId::FourBolts);
         let words = "the code has no rule of its own: the checks count the inner two of every row \
                      alone, in tension, shear and slip, on the safe side; the analysis has all \
                      four";
-        out.push(Check::assumption(topic, "bolts", clause, title, words));
+        out.push(Check::assumption(topic, Part::Bolts, clause, id, words));
     }
     let Some(c) = &e.column else { return out };
-    let (clause, title) = ("EN 1993-1-8:2005 6.2.6.2(2)", "longitudinal stress of the column web");
+    let (clause, id) = ("EN 1993-1-8:2005 6.2.6.2(2)", CheckId::WebLongitudinal);
     let words = match ColumnForces::given(c) {
         _ if corner(c).is_some() => {
             "σ_com,Ed from the equilibrium of the node with one column, in each load case".into()
@@ -94,6 +98,6 @@ pub(super) fn assumptions(e: &EndPlate) -> Vec<Check> {
                  (k_wc falls to 0.7 at f_y)"
             .into(),
     };
-    out.push(Check::assumption(topic, "column web", clause, title, words));
+    out.push(Check::assumption(topic, Part::ColumnWeb, clause, id, words));
     out
 }

@@ -1,10 +1,11 @@
 //! The beam's own cross-section under the actions at the joint.
 
-use crate::check::{Check, Status, Topic, Unit, number as n, within};
+use crate::check::{Check, CheckId, Status, Topic, Unit, number as n, within};
 use crate::eurocode::i_section::Section;
 use crate::eurocode::section::{Class, CrossSection, Slenderness, shear_reduction};
 use crate::eurocode::yielding::{plastic_shear, yield_strength};
 use crate::formula::{Derivation, Formula, Number, Traced};
+use crate::subject::{Part, Subject};
 use crate::worked::Worked;
 use bracket_joint::assembly::{EndPlate, PlaneActions};
 
@@ -20,7 +21,7 @@ pub(super) fn beam(e: &EndPlate, a: &PlaneActions) -> Vec<Check> {
         fy: e.beam_steel.fy,
         gamma_m0: e.factors.gamma_m0,
     };
-    let subject = format!("{}, beam", a.end);
+    let subject = Subject::end(&a.end).and(Part::Beam);
     let against = |worked: Worked, demand: f64| {
         worked.against(Topic::Member, subject.clone(), demand.abs(), Status::Failed)
     };
@@ -69,13 +70,12 @@ pub(super) fn beam(e: &EndPlate, a: &PlaneActions) -> Vec<Check> {
             }
             // class 4
             Err(fault) => {
-                let (clause, title) =
-                    ("EN 1993-1-1:2005 5.5.2", "moment of the beam with its shear and axial force");
+                let (clause, id) = ("EN 1993-1-1:2005 5.5.2", CheckId::BeamMoment);
                 out.push(Check::undecided(
                     Topic::Member,
                     subject,
                     clause,
-                    title,
+                    id,
                     fault.to_string(),
                     fault.step(),
                 ));
@@ -186,8 +186,8 @@ impl WeakAxis {
         let [alpha, beta] = &self.exponents;
         let value = part(moment("M_y,Ed", my.abs()), moment("M_N,y,Rd", strong.value), alpha)
             + part(moment("M_z,Ed", mz.abs()), self.resistance.clone(), beta);
-        let title = "bending of the beam about both axes";
-        Worked::of(self.clause, title, "", value, Unit::Number).after(self.derivation.clone())
+        let id = CheckId::BeamBothAxes;
+        Worked::of(self.clause, id, "", value, Unit::Number).after(self.derivation.clone())
     }
 }
 
@@ -203,7 +203,7 @@ fn twisted(
     torsion_constant: f64,
     torsion: f64,
     [vy, vz]: [f64; 2],
-    subject: &str,
+    subject: &Subject,
 ) -> Vec<Check> {
     let s = &beam.section;
     let [f_y, gamma] =
@@ -212,30 +212,32 @@ fn twisted(
     let shear = f_y / (Traced::from(3.0).sqrt() * gamma);
     let constant = Traced::number("I_t", torsion_constant);
     let thickest = Traced::length("t", s.tf.max(s.tw));
-    let (clause, title) = ("EN 1993-1-1:2005 6.2.7(5), (6)", "torsion of the beam");
+    let (clause, id) = ("EN 1993-1-1:2005 6.2.7(5), (6)", CheckId::BeamTorsion);
     let resistance = constant.clone() / thickest.clone() * shear.clone();
     let words = "St. Venant alone: the restraint of warping at the end plate is not counted";
-    let worked = Worked::of(clause, title, "T_Rd", resistance, Unit::Moment).then(words);
+    let worked = Worked::of(clause, id, "T_Rd", resistance, Unit::Moment).then(words);
     let undecided = |worked: Worked, demand: f64| {
         let step = "less torsion, a beam with a larger I_t, or a check of the torsion with \
                     warping by another method";
-        worked.against(Topic::Member, subject, demand.abs(), Status::Undecided).decided_by(step)
+        worked
+            .against(Topic::Member, subject.clone(), demand.abs(), Status::Undecided)
+            .decided_by(step)
     };
     let mut out = vec![undecided(worked, torsion)];
     let stress = Traced::symbol("T_Ed", torsion.abs(), Unit::Moment) * thickest / constant;
     let stress = Formula::new("τ_t", stress, Unit::Stress);
     let left = Traced::from(1.0) - stress.traced() / (Traced::from(1.25) * shear);
     let left = not_negative(left).sqrt();
-    for (worked, title, force) in [
-        (beam.shear(), "shear of the beam beside torsion", vz),
-        (beam.shear_across(), "shear of the beam along its flanges beside torsion", vy),
+    for (worked, id, force) in [
+        (beam.shear(), CheckId::BeamShearTorsion, vz),
+        (beam.shear_across(), CheckId::BeamShearAcrossTorsion, vy),
     ] {
         if force == 0.0 {
             continue;
         }
         let reduced = left.clone() * worked.traced();
         let mut worked = worked.then(stress.clone()).becomes("V_pl,T,Rd", reduced);
-        (worked.clause, worked.title) = ("EN 1993-1-1:2005 6.2.7(9)", title);
+        (worked.clause, worked.id) = ("EN 1993-1-1:2005 6.2.7(9)", id);
         out.push(undecided(worked, force));
     }
     out

@@ -1,13 +1,14 @@
 //! Resistances of one bolt and of the plates that it clamps.
 
 use super::bolt_holes::{Clearance, shear_factor};
-use super::bolt_rows::{from_top, pitches};
+use super::bolt_rows::{bolt, from_top, pitches};
 use super::clamped_plates::{ClampedPlate, clamped_plates};
 use crate::check::{Check, Topic, largest, within};
 use crate::eurocode::bearing::{Along, Hole};
 use crate::eurocode::bolts::{long_joint, shear_resistance, tension_resistance};
 use crate::eurocode::punching::{mean_diameter, punching_resistance};
 use crate::formula::Traced;
+use crate::subject::{Part, Place, Subject};
 use crate::worked::Worked;
 use bracket_joint::assembly::{EndPlate, Way};
 
@@ -32,7 +33,7 @@ fn positions(e: &EndPlate, plate: &ClampedPlate, z: f64, force: f64) -> Vec<Alon
     let rows = from_top(e);
     let (highest, lowest) = (rows.first() == Some(&z), rows.last() == Some(&z));
     let mut out: Vec<Along> = pitches(e).map(|[p1, _]| Along::Inner { p1 }).into_iter().collect();
-    let e1 = match e.column.as_ref().filter(|_| plate.name != "end plate") {
+    let e1 = match e.column.as_ref().filter(|_| plate.part != Part::EndPlate) {
         None => (highest || lowest).then(|| (e.top - z).min(z - e.bottom)),
         Some(c) => {
             let towards = |way| Way::of(force).is_none_or(|w| w == way);
@@ -124,24 +125,24 @@ pub(super) fn bolt_shear(e: &EndPlate, [across, along]: [f64; 2]) -> Worked {
 /// Resistances of one bolt in tension, shear, punching and bearing, as information.
 pub(super) fn resistances(e: &EndPlate) -> Vec<Check> {
     let (b, g, gamma) = (&e.bolt, &e.grade, e.factors.gamma_m2);
-    let subject = format!("{} {}", b.size, g.grade);
+    let subject = Subject::from(bolt(e));
     let tension = tension_resistance(b, g, gamma);
     let mut out = Vec::new();
     out.push(tension.information(Topic::Bolts, subject.clone()));
-    let thread = format!("{subject}, thread in the shear plane");
+    let thread = subject.and(Place::Thread);
     out.push(bolt_shear(e, DOWN).information(Topic::Bolts, thread));
     let known = Clearance::of(e) != Clearance::Beyond;
     let hole = for_bearing(e, DOWN);
     for plate in clamped_plates(e) {
         out.push(
             punching_resistance(mean_diameter(b), plate.thickness, plate.fu, gamma)
-                .information(Topic::Bolts, plate.name),
+                .information(Topic::Bolts, plate.part),
         );
         if !known {
             continue;
         }
-        let at = |along, words: &str| {
-            let subject = format!("{}, {words}, vertical force", plate.name);
+        let at = |along, which: Place| {
+            let subject = Subject::from(plate.part).and(which).and(Place::VerticalForce);
             bearing(e, along, &plate, hole).information(Topic::Bolts, subject)
         };
         let positions = e.rows.iter().flat_map(|z| positions(e, &plate, *z, 0.0));
@@ -149,8 +150,8 @@ pub(super) fn resistances(e: &EndPlate) -> Vec<Check> {
             Along::End { e1 } => Some(e1),
             Along::Inner { .. } => None,
         });
-        out.extend(ends.reduce(f64::min).map(|e1| at(Along::End { e1 }, "end bolt")));
-        out.extend(pitches(e).map(|[p1, _]| at(Along::Inner { p1 }, "inner bolt")));
+        out.extend(ends.reduce(f64::min).map(|e1| at(Along::End { e1 }, Place::EndBolt)));
+        out.extend(pitches(e).map(|[p1, _]| at(Along::Inner { p1 }, Place::InnerBolt)));
     }
     out
 }

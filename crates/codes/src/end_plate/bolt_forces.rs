@@ -11,12 +11,13 @@ use super::bolt_holes::Clearance;
 use super::bolt_rows::from_top;
 use super::clamped_plates::{ClampedPlate, clamped_plates};
 use super::member_end::LoadedEnd;
-use crate::check::{Check, Status, Topic, Unit, largest, number as n};
+use crate::check::{Check, CheckId, Status, Topic, Unit, largest, number as n};
 use crate::eurocode::block_tearing::Blocks;
 use crate::eurocode::bolts::{shear_resistance, tension_resistance};
 use crate::eurocode::interaction::{self, Forces};
 use crate::eurocode::punching::{mean_diameter, punching_resistance};
 use crate::formula::{Derivation, Number, Traced};
+use crate::subject::{Part, Place, Subject};
 use crate::worked::Worked;
 use bracket_joint::assembly::{EndPlate, Way};
 
@@ -122,15 +123,16 @@ impl<'a> BoltForces<'a> {
         self.rows.iter().copied().zip(pairs).collect()
     }
 
-    fn place(&self, row: Row) -> String {
-        format!("{}, row at z = {} mm", self.end, n(row.z))
+    fn place(&self, row: Row) -> Subject {
+        Subject::end(self.end).and(Place::Rows(vec![row.z]))
     }
 
     /// The place of a check in which tension beyond F_t,Rd does not count.
-    fn capped_place(&self, row: Row) -> String {
-        let capped =
-            if row.tension > self.tension_resistance { ", tension capped at F_t,Rd" } else { "" };
-        format!("{}{capped}", self.place(row))
+    fn capped_place(&self, row: Row) -> Subject {
+        match row.tension > self.tension_resistance {
+            true => self.place(row).and(Place::Capped),
+            false => self.place(row),
+        }
     }
 
     /// The row with the largest tension.
@@ -161,7 +163,7 @@ impl<'a> BoltForces<'a> {
             out.extend(self.block_tearing(&plate));
             if across != 0.0 {
                 out.extend(self.bearing_across(&plate));
-                let place = format!("{}, {}", plate.name, self.end);
+                let place = Subject::from(plate.part).and(Subject::end(self.end));
                 let block = block_across(self.e, &plate);
                 out.push(block.against(Topic::Bolts, place, across.abs(), Status::Failed));
             }
@@ -173,10 +175,10 @@ impl<'a> BoltForces<'a> {
     /// The bolts together in shear, each with the share that its tension leaves.
     fn shear(&self) -> Check {
         let clause = "EN 1993-1-8:2005 6.2.2(2), Table 3.4";
-        let title = "shear of the bolt group, reduced for tension";
+        let id = CheckId::BoltGroupShear;
         let value = self.shear_shares() * self.shear_resistance.clone();
         let mut worked =
-            Worked::of(clause, title, "V_Rd", value, Unit::Force).after(self.reduced.clone());
+            Worked::of(clause, id, "V_Rd", value, Unit::Force).after(self.reduced.clone());
         if let Some(row) = self.most_pulled() {
             worked = self.note_cap(worked, row.tension);
         }
@@ -187,22 +189,21 @@ impl<'a> BoltForces<'a> {
                 Unit::Force,
             );
         }
-        worked.against(Topic::Bolts, self.end, self.shear, Status::Failed)
+        worked.against(Topic::Bolts, Subject::end(self.end), self.shear, Status::Failed)
     }
 
     /// Tension of the bolts of the row that is pulled most.
     fn tension(&self) -> Option<Check> {
         let (e, row) = (self.e, self.most_pulled()?);
         let mut worked = tension_resistance(&e.bolt, &e.grade, e.factors.gamma_m2);
-        worked.title =
-            "tension of a bolt, prying included, by the row forces of the component method";
+        worked.id = CheckId::BoltTension;
         if row.pull > 0.0 {
             let prying = 2.0 * row.tension / row.pull;
             worked = worked.with("F_tr,Ed", row.pull, Unit::Force);
             worked = worked.with("2 F_t,Ed/F_tr,Ed", prying, Unit::Number);
         }
         let topic = Topic::ComponentMethod;
-        Some(worked.against(topic, self.place(row), row.tension, Status::Failed))
+        Some(worked.against(topic, self.place(row), row.tension, Status::Failed).of_strength())
     }
 
     /// Interaction of shear and tension, for each bolt on its own as Table 3.4 has it.
@@ -230,7 +231,7 @@ impl<'a> BoltForces<'a> {
             pair.into_iter().filter_map(of).collect::<Vec<_>>()
         });
         let (row, force, worked) = largest(each, |(_, force, worked)| force / worked.value)?;
-        let place = format!("{}, {}", plate.name, self.place(row));
+        let place = Subject::from(plate.part).and(self.place(row));
         Some(worked.against(Topic::Bolts, place, force, Status::Failed))
     }
 
@@ -243,7 +244,7 @@ impl<'a> BoltForces<'a> {
             (row, force, bearing_across(self.e, plate, hole, row.z))
         });
         let (row, force, worked) = largest(each, |(_, force, worked)| force / worked.value)?;
-        let place = format!("{}, {}", plate.name, self.place(row));
+        let place = Subject::from(plate.part).and(self.place(row));
         Some(worked.against(Topic::Bolts, place, force, Status::Failed))
     }
 
@@ -255,7 +256,7 @@ impl<'a> BoltForces<'a> {
         let on_column = Way::of(self.force[1])?;
         let (first, last) = (self.rows.first()?.z, self.rows.last()?.z);
         let farthest = |way| if way == Way::Up { last } else { first };
-        let whole = match e.column.as_ref().filter(|_| plate.name != "end plate") {
+        let whole = match e.column.as_ref().filter(|_| plate.part != Part::EndPlate) {
             Some(c) => c.ends().from(farthest(on_column), on_column)?,
             // the bolts press the end plate against the force of the beam
             None if on_column == Way::Down => e.top - farthest(Way::Up),
@@ -270,7 +271,7 @@ impl<'a> BoltForces<'a> {
             fu: plate.fu,
         };
         let worked = blocks.resistance(e.factors.gamma_m0, e.factors.gamma_m2);
-        let place = format!("{}, {}", plate.name, self.end);
+        let place = Subject::from(plate.part).and(Subject::end(self.end));
         Some(worked.against(Topic::Bolts, place, self.force[1].abs(), Status::Failed))
     }
 
@@ -284,7 +285,7 @@ impl<'a> BoltForces<'a> {
             e.factors.gamma_m2,
         );
         let worked = self.note_cap(worked, row.tension);
-        let place = format!("{}, {}", plate.name, self.capped_place(row));
+        let place = Subject::from(plate.part).and(self.capped_place(row));
         Some(worked.against(Topic::Bolts, place, self.capped(row.tension), Status::Failed))
     }
 }

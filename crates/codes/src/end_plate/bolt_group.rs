@@ -6,9 +6,10 @@
 
 use super::bolt_rows::from_top;
 use super::clamped_plates::ClampedPlate;
-use crate::check::{Check, Topic, Unit, number as n};
+use crate::check::{Check, CheckId, Topic, Unit, number as n};
 use crate::eurocode::bearing::{Along, Hole};
 use crate::eurocode::block_tearing::Blocks;
+use crate::subject::{Part, Subject};
 use crate::worked::Worked;
 use bracket_joint::assembly::{EndPlate, Way};
 
@@ -50,7 +51,7 @@ pub(super) fn shear_forces(bolts: &[GroupBolt], [vy, vz]: [f64; 2]) -> Vec<[f64;
 }
 
 /// What the checks take Vy to do.
-pub(super) fn assumption(bolts: &[GroupBolt], place: &str, vy: f64) -> Check {
+pub(super) fn assumption(bolts: &[GroupBolt], end: &str, vy: f64) -> Check {
     let [_, z] = centre(bolts);
     let words = format!(
         "Vy = {} acts in the axis of the beam; the bolts carry it with its moment about their \
@@ -59,14 +60,14 @@ pub(super) fn assumption(bolts: &[GroupBolt], place: &str, vy: f64) -> Check {
         Unit::Force.show(vy),
         n(z)
     );
-    let (clause, title) = ("EN 1993-1-8:2005 3.12, Table 3.4", "shear force across the member");
-    Check::assumption(Topic::Bolts, place, clause, title, words)
+    let (clause, id) = ("EN 1993-1-8:2005 3.12, Table 3.4", CheckId::ShearAcross);
+    Check::assumption(Topic::Bolts, Subject::end(end), clause, id, words)
 }
 
 /// Distance of a row at `z` from the nearer end of a plate, above or below \[mm\]; infinite where
 /// it goes on.
 fn end_distance(e: &EndPlate, plate: &ClampedPlate, z: f64) -> f64 {
-    match e.column.as_ref().filter(|_| plate.name != "end plate") {
+    match e.column.as_ref().filter(|_| plate.part != Part::EndPlate) {
         None => (e.top - z).min(z - e.bottom),
         Some(c) => {
             let ends = [Way::Up, Way::Down].into_iter().filter_map(|way| c.ends().from(z, way));
@@ -96,7 +97,7 @@ pub(super) fn bearing_across(e: &EndPlate, plate: &ClampedPlate, hole: Hole, z: 
     let e1 = edge_distance(e, plate);
     let (end, inner) = (of(Along::End { e1 }), of(Along::Inner { p1: next }));
     let mut least = if inner.value < end.value { inner } else { end };
-    least.title = "bearing resistance at a bolt, across the member";
+    least.id = CheckId::BearingAcross;
     least
 }
 
@@ -114,7 +115,7 @@ pub(super) fn block_across(e: &EndPlate, plate: &ClampedPlate) -> Worked {
         fu: plate.fu,
     };
     let mut worked = blocks.resistance(e.factors.gamma_m0, e.factors.gamma_m2);
-    worked.title = "block tearing across the member";
+    worked.id = CheckId::BlockTearingAcross;
     worked
 }
 

@@ -1,6 +1,12 @@
 //! Rows of bolts of an end plate and their distances \[mm\].
 
+use crate::subject::Place;
 use bracket_joint::assembly::EndPlate;
+
+/// The bolts, as a check names them.
+pub(super) fn bolt(e: &EndPlate) -> Place {
+    Place::Bolt { size: e.bolt.size.clone(), grade: e.grade.grade.clone() }
+}
 
 /// z of the rows, from the top.
 pub(super) fn from_top(e: &EndPlate) -> Vec<f64> {

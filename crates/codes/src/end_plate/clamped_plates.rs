@@ -3,6 +3,7 @@
 use crate::ductility::Clamped;
 use crate::eurocode::bearing::{Along, Bearing, Hole};
 use crate::eurocode::bolt_length::{self, least_length};
+use crate::subject::Part;
 use crate::worked::Worked;
 use bracket_joint::assembly::EndPlate;
 use bracket_joint::catalog::BoltSize;
@@ -13,8 +14,8 @@ pub(super) const WASHERS: u32 = 2;
 /// A plate on which the bolts bear. Lengths in mm.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ClampedPlate {
-    /// `end plate` or `column flange`.
-    pub name: &'static str,
+    /// End plate or column flange.
+    pub part: Part,
     pub thickness: f64,
     /// Yield strength \[MPa\].
     pub fy: f64,
@@ -49,14 +50,14 @@ impl ClampedPlate {
 /// same as the first.
 pub(super) fn clamped_plates(e: &EndPlate) -> Vec<ClampedPlate> {
     let plate = ClampedPlate {
-        name: "end plate",
+        part: Part::EndPlate,
         thickness: e.thickness,
         fy: e.plate_steel.fy.mpa(),
         fu: e.plate_steel.fu.mpa(),
         width: e.width,
     };
     let flange = e.column.as_ref().map(|c| ClampedPlate {
-        name: "column flange",
+        part: Part::ColumnFlange,
         thickness: c.section.tf,
         fy: c.steel.fy.mpa(),
         fu: c.steel.fu.mpa(),
@@ -66,9 +67,9 @@ pub(super) fn clamped_plates(e: &EndPlate) -> Vec<ClampedPlate> {
 }
 
 /// These plates with their bolts, as the rules of rotation capacity see them.
-pub(super) fn clamped(e: &EndPlate) -> impl Iterator<Item = (&'static str, Clamped)> {
+pub(super) fn clamped(e: &EndPlate) -> impl Iterator<Item = (Part, Clamped)> {
     let (d, fub) = (e.bolt.d, e.grade.fub);
-    let of = move |p: ClampedPlate| (p.name, Clamped { d, fub, thickness: p.thickness, fy: p.fy });
+    let of = move |p: ClampedPlate| (p.part, Clamped { d, fub, thickness: p.thickness, fy: p.fy });
     clamped_plates(e).into_iter().map(of)
 }
 

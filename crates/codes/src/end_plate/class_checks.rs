@@ -3,13 +3,12 @@
 
 use super::column_forces::columns;
 use super::member_end::MemberEnd;
-use crate::check::{Check, Topic, Unit, number as n, within};
-use crate::classification::{
-    Frame, STIFF_COLUMNS, StiffnessLimits, stiffness_limits, strength_class,
-};
+use crate::check::{Check, CheckId, Topic, Unit, number as n, within};
+use crate::classification::{STIFF_COLUMNS, StiffnessLimits, stiffness_limits, strength_class};
 use crate::component_method::stiffness::at_moment;
 use crate::eurocode::yielding::plastic;
 use crate::formula::{Derivation, Formula, Line, Number, Relation, Traced};
+use crate::subject::{Frame, Place};
 use crate::worked::Worked;
 use bracket_joint::assembly::EndPlate;
 
@@ -50,7 +49,7 @@ fn strength(end: &MemberEnd<'_>) -> Check {
     let words = Derivation::from(class.words())
         .then("full strength from M_full, pinned up to a quarter of it")
         .then(full);
-    Worked::of("EN 1993-1-8:2005 5.2.3", "class by strength", "", share, Unit::Number)
+    Worked::of("EN 1993-1-8:2005 5.2.3", CheckId::StrengthClass, "", share, Unit::Number)
         .after(words)
         .information(Topic::ComponentMethod, end.subject())
 }
@@ -127,25 +126,22 @@ fn stiffness_classes(end: &MemberEnd<'_>) -> Vec<Check> {
         )
         .into(),
     };
-    let each = [
-        (Frame::Braced, "braced frame", Derivation::default()),
-        (Frame::Unbraced, "other frames", storey),
-    ];
-    let class = |(frame, words, note): (Frame, &'static str, Derivation)| {
-        let place = format!("{}, {words}", end.subject());
+    let each = [(Frame::Braced, Derivation::default()), (Frame::Unbraced, storey)];
+    let class = |(frame, note): (Frame, Derivation)| {
+        let place = end.subject().and(Place::Frame(frame));
         let stiffness = Traced::symbol("S_j,ini", initial, Unit::Rotational);
         let Some(limits) = limits(e, frame) else {
             let (k_b, young) = (frame.factor(), Traced::stress("E", e.beam_steel.e));
             let bending = Traced::number("k_b", k_b) * young * Traced::number("I_b", inertia);
-            let title = "system length of the beam from which the joint is rigid";
-            let mut worked = Worked::of(STIFFNESS, title, "L_b", bending / stiffness, Unit::Length);
+            let id = CheckId::RigidLength;
+            let mut worked = Worked::of(STIFFNESS, id, "L_b", bending / stiffness, Unit::Length);
             worked.derivation = worked.derivation.followed_by(note);
             return worked.information(Topic::Stiffness, place);
         };
         let derivation = Derivation::from(limits.class(initial).words())
             .followed_by(beside_limits(initial, &limits))
             .followed_by(note);
-        Worked::of(STIFFNESS, "class by stiffness", "S_j,ini", stiffness, Unit::Rotational)
+        Worked::of(STIFFNESS, CheckId::StiffnessClass, "S_j,ini", stiffness, Unit::Rotational)
             .after(derivation)
             .information(Topic::Stiffness, place)
     };

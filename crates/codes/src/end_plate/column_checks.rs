@@ -2,20 +2,21 @@
 //! or below it.
 
 use super::column_forces::{ColumnForces, Moment, columns, known, unsupported};
-use crate::check::{Check, Status, Topic, Unit, number as n, within};
+use crate::check::{Check, CheckId, Status, Topic, Unit, number as n, within};
 use crate::eurocode::section::CrossSection;
 use crate::eurocode::yielding::plastic;
 use crate::formula::{Derivation, Traced};
+use crate::subject::Part;
 use crate::worked::Worked;
 use bracket_joint::assembly::{ColumnSide, EndPlate};
 
 /// Clause of the section's resistance to several forces.
 const CLAUSE: &str = "EN 1993-1-1:2005 6.2.8 to 6.2.10";
 /// Subject of the checks.
-const SUBJECT: &str = "column";
+const SUBJECT: Part = Part::Column;
 
-/// Title of the check of the moment.
-const MOMENT: &str = "moment of the column with its shear and axial force";
+/// The check of the moment.
+const MOMENT: CheckId = CheckId::ColumnMoment;
 
 /// The column's section under the forces that the spec gives, where no load case at the ultimate
 /// limit state has actions at a member end.
@@ -48,16 +49,16 @@ fn no_support([push, lift, moment]: [f64; 3]) -> Check {
         Unit::Force.show(lift.abs()),
         Unit::Moment.show(moment.abs())
     );
-    let (clause, title) = ("EN 1993-1-8:2005 2.5(1)", "equilibrium of the node");
+    let (clause, id) = ("EN 1993-1-8:2005 2.5(1)", CheckId::NodeEquilibrium);
     let step = "a column that continues (`column_ends_above` or `column_ends_below` false), or \
                 beams in balance";
-    Check::undecided(Topic::Member, SUBJECT, clause, title, why, step)
+    Check::undecided(Topic::Member, SUBJECT, clause, id, why, step)
 }
 
 /// The shear force of the column against its section; `None` without one.
 fn shear(e: &EndPlate, c: &ColumnSide, f: &ColumnForces) -> Option<Check> {
     let mut worked = cross_section(e, c).shear();
-    worked.title = "shear of the column";
+    worked.id = CheckId::ColumnShear;
     let worked = worked.after(f.from.clone());
     (f.shear > 0.0).then(|| worked.against(Topic::Member, SUBJECT, f.shear, Status::Failed))
 }
@@ -94,17 +95,17 @@ pub(super) fn beyond_the_column(e: &EndPlate) -> Option<String> {
 /// EN 1993-1-1:2005 6.2.3 to 6.2.6 and 6.2.8 to 6.2.10.
 fn section(e: &EndPlate, c: &ColumnSide, f: &ColumnForces) -> Vec<Check> {
     let column = cross_section(e, c);
-    let of = |mut worked: Worked, title: &'static str, demand: f64| {
-        worked.title = title;
+    let of = |mut worked: Worked, id: CheckId, demand: f64| {
+        worked.id = id;
         worked.after(f.from.clone()).against(Topic::Member, SUBJECT, demand, Status::Failed)
     };
     let mut out = Vec::new();
     out.extend(shear(e, c, f));
     if f.axial != 0.0 {
-        out.push(of(column.axial(), "axial force of the column", f.axial.abs()));
+        out.push(of(column.axial(), CheckId::ColumnAxial, f.axial.abs()));
     }
     if f.axial > 0.0 {
-        out.push(of(net_tension(e, c), "tension of the column beside its holes", f.axial));
+        out.push(of(net_tension(e, c), CheckId::ColumnNetTension, f.axial));
     }
     out.push(match column.bending_6_2_10(f.shear, f.axial) {
         Ok(worked) => {
@@ -165,8 +166,8 @@ fn net_tension(e: &EndPlate, c: &ColumnSide) -> Worked {
     let net = Traced::area("A", 1e2 * c.section.area) - holes * Traced::length("t_f", c.section.tf);
     let (f_u, gamma) = (Traced::stress("f_u", c.steel.fu.mpa()), e.factors.gamma_m2);
     let value = Traced::from(0.9) * net * f_u / Traced::number("γ_M2", gamma);
-    let title = "tension of the column beside its holes";
-    Worked::of("EN 1993-1-1:2005 6.2.3(2)b", title, "N_u,Rd", value, Unit::Force)
+    let id = CheckId::ColumnNetTension;
+    Worked::of("EN 1993-1-1:2005 6.2.3(2)b", id, "N_u,Rd", value, Unit::Force)
 }
 
 /// What the beams bring into a column that continues both ways. Its share above and below is not
@@ -177,7 +178,7 @@ fn not_known(e: &EndPlate, c: &ColumnSide, f: &ColumnForces) -> Option<Check> {
         // the last of the section's checks is that of the moment
         return section(e, c, f).pop();
     }
-    let title = "column beside the joint, not checked";
+    let id = CheckId::ColumnNotChecked;
     let most = if let Moment::NotGiven { most } = f.known { most } else { 0.0 };
     let formula = format!(
         "the column continues both ways, and the spec gives no N_Ed and M_Ed of it: its share of \
@@ -186,5 +187,5 @@ fn not_known(e: &EndPlate, c: &ColumnSide, f: &ColumnForces) -> Option<Check> {
         Unit::Moment.show(most),
         n(f.moment / worked.value)
     );
-    Some(Check::assumption(Topic::Member, SUBJECT, CLAUSE, title, formula))
+    Some(Check::assumption(Topic::Member, SUBJECT, CLAUSE, id, formula))
 }

@@ -5,7 +5,7 @@
 //! that the beams bring. Where it continues both ways, the two columns share it in a proportion
 //! that the joint does not know: one of them has at least half of the moment.
 
-use crate::check::{Unit, balance, within};
+use crate::check::{CheckId, Unit, balance, within};
 use crate::formula::{Derivation, Formula, Number, Traced};
 use bracket_joint::assembly::{ColumnSide, EndPlate, PlaneActions};
 
@@ -244,8 +244,8 @@ pub(super) fn known(c: &ColumnSide) -> bool {
 struct PanelRelief {
     /// (V_c1 − V_c2)/2 \[N\].
     value: f64,
-    /// Title of the check of the panel, with where the column's shear comes from.
-    title: &'static str,
+    /// Id of the check of the panel, which says where the column's shear comes from.
+    id: CheckId,
 }
 
 /// Reduction of the shear force of the panel: from the spec, from the one column at a corner, else
@@ -254,9 +254,9 @@ struct PanelRelief {
 /// # Source
 /// EN 1993-1-8:2005 5.3(3).
 fn panel_relief(e: &EndPlate, case: &str, shear: impl Fn(f64) -> f64) -> PanelRelief {
-    const GIVEN: &str = "column web panel in shear";
-    const NOT_GIVEN: &str = "column web panel in shear (column shear not given, V_Ed = 0)";
-    const NODE: &str = "column web panel in shear (column shear by equilibrium of the node)";
+    const GIVEN: CheckId = CheckId::ColumnPanel;
+    const NOT_GIVEN: CheckId = CheckId::PanelNoColumnShear;
+    const NODE: CheckId = CheckId::PanelByEquilibrium;
     let half = 0.5 * horizontal(of_case(e, case));
     let column = e.column.as_ref();
     // the cut through the panel has the upper flanges of the beams on its free side
@@ -265,13 +265,13 @@ fn panel_relief(e: &EndPlate, case: &str, shear: impl Fn(f64) -> f64) -> PanelRe
         Corner::Above => half,
     });
     let given = column.map(|c| c.shear).filter(|shear| *shear != 0.0);
-    let (value, title) = match (node, given) {
+    let (value, id) = match (node, given) {
         (Some(node), Some(given)) if within(shear(given), shear(node)) => (node, NODE),
         (_, Some(given)) => (given, GIVEN),
         (Some(node), None) => (node, NODE),
         (None, None) => (0.0, NOT_GIVEN),
     };
-    PanelRelief { value, title }
+    PanelRelief { value, id }
 }
 
 /// Shear force of the web panel at a member end.
@@ -280,8 +280,8 @@ pub(super) struct PanelShear {
     pub demand: f64,
     /// Its formula.
     pub derivation: Derivation,
-    /// Title of the check of the panel, with where the column's shear comes from.
-    pub title: &'static str,
+    /// Id of the check of the panel, which says where the column's shear comes from.
+    pub id: CheckId,
 }
 
 impl PanelShear {
@@ -295,7 +295,7 @@ impl PanelShear {
         // V_Ed is positive against the shear of a positive moment at an end along +x
         let difference = balance([own, -other]);
         let shear = |relief: f64| (a.outward * difference / lever - relief).abs();
-        let PanelRelief { value: relief, title } = panel_relief(e, &a.case, shear);
+        let PanelRelief { value: relief, id } = panel_relief(e, &a.case, shear);
         // moments that balance but for rounding are equal
         let other = if difference == 0.0 { own } else { other };
         let [own, other] =
@@ -311,6 +311,6 @@ impl PanelShear {
         };
         let demand = shear.value;
         let derivation = words.into_iter().fold(Derivation::from(shear), Derivation::then);
-        Self { demand, derivation, title }
+        Self { demand, derivation, id }
     }
 }

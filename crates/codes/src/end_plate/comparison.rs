@@ -1,9 +1,10 @@
 //! Resistance of a joint by the component method, to compare with the bracket of a limit analysis.
 
-use crate::check::{Unit, number as n, within};
+use crate::check::{CheckId, Unit, number as n, within};
 use crate::component_method::Assessment;
 use crate::component_method::equilibrium::{Carried, Equilibrium, SMALL_AXIAL};
 use crate::formula::{Derivation, Formula, Number, Traced};
+use crate::subject::Sense;
 use crate::worked::Worked;
 use bracket_joint::assembly::{EndPlate, PlaneActions};
 use serde::{Deserialize, Serialize};
@@ -18,8 +19,8 @@ pub(super) struct Method {
     pub equilibrium: Option<Equilibrium>,
     /// β.
     pub beta: f64,
-    /// Sense of bending in words.
-    pub sense: &'static str,
+    /// Sense of bending.
+    pub sense: Sense,
 }
 
 impl Method {
@@ -58,19 +59,19 @@ impl Method {
     /// EN 1993-1-8:2005 6.2.7.1(2) and (3).
     pub(super) fn share(&self, at: [[f64; 3]; 2]) -> Option<Worked> {
         const CLAUSE: &str = "EN 1993-1-8:2005 6.2.7.1";
-        const TITLE: &str = "moment and axial force of the joint";
+        const ID: CheckId = CheckId::MomentAndAxial;
         let (axial, moment) = (at[0][0], at[1][1]);
         // beside a moment and an axial force with their signs the demand is an absolute value
         let signed = !self.small(axial);
         let bending = self.traced_bending(if signed { moment } else { moment.abs() });
         let symbol = "M_j,Ed/M_j,Rd";
         if axial == 0.0 {
-            return Some(Worked::of(CLAUSE, TITLE, symbol, bending, Unit::Number));
+            return Some(Worked::of(CLAUSE, ID, symbol, bending, Unit::Number));
         }
         let bending = bending.named(symbol, Unit::Number);
         let before = Derivation::from(Formula::new(symbol, bending.clone(), Unit::Number));
         let larger = |other, before| {
-            Worked::of(CLAUSE, TITLE, "", bending.max(other), Unit::Number).after(before)
+            Worked::of(CLAUSE, ID, "", bending.max(other), Unit::Number).after(before)
         };
         if !signed {
             // a small force is neglected beside the moment, but by itself it is still compared with
@@ -219,7 +220,7 @@ impl Comparison {
         Self {
             case: a.case.clone(),
             end: a.end.clone(),
-            sense: method.sense.into(),
+            sense: method.sense.words().into(),
             beta: method.beta,
             demand: a.at(1.0)[1][1],
             resistance: method.moment,

@@ -6,15 +6,17 @@ use super::doubler::doubler_fault;
 use super::hand_checks::HandChecks;
 use super::method_record::MethodRecord;
 use super::rotation_rules::SenseLimits;
-use super::sense::{self, Sense};
+use super::sense;
 use super::weld_checks;
-use crate::check::{Check, Status, Topic, Unit, number as n};
+use crate::check::{Check, CheckId, Status, Topic, Unit};
+use crate::component_method::assembly::RowForce;
 use crate::component_method::rows::Component;
 use crate::component_method::stiffness::{Joins, for_elastic_analysis};
-use crate::component_method::{Assessment, assess};
+use crate::component_method::{Assessment, LimitedBy, assess};
 use crate::ductility::panel_in_shear;
 use crate::eurocode::i_section::Section;
 use crate::formula::{Derivation, Number, Traced};
+use crate::subject::{Part, Place, Sense, Subject};
 use crate::worked::Worked;
 use bracket_joint::assembly::EndPlate;
 
@@ -23,7 +25,7 @@ use bracket_joint::assembly::EndPlate;
 pub(super) fn senses(e: &EndPlate, out: &mut HandChecks) -> Vec<SenseLimits> {
     let (mut limits, all) = (Vec::new(), sense::senses(e));
     for &(sense, beta) in &all {
-        let joint = sense.of(&component_joint(e, beta));
+        let joint = component_joint(e, beta).turned(sense);
         let assessment = match assess(&joint) {
             Ok(assessment) => assessment,
             Err(fault) => {
@@ -32,14 +34,11 @@ pub(super) fn senses(e: &EndPlate, out: &mut HandChecks) -> Vec<SenseLimits> {
             }
         };
         let several = all.iter().filter(|s| s.0 == sense).count() > 1;
-        let subject = if several {
-            format!("{}, β = {}", sense.words(), n(beta))
-        } else {
-            sense.words().into()
-        };
+        let subject = Subject::from(sense);
+        let subject = if several { subject.and(Place::Beta(beta)) } else { subject };
         out.checks.extend(tables(e, &subject, sense, &assessment));
         let bends = sense::bent(e).contains(&(sense, beta));
-        out.methods.push(MethodRecord::new(&subject, bends, sense, &joint, &assessment));
+        out.methods.push(MethodRecord::new(&subject.text(), bends, sense, &joint, &assessment));
         out.checks.extend(weld_checks::not_the_weakest(e, &subject, sense, &assessment));
         let panel = panel(e, &subject, &assessment);
         let bending = assessment.rows.iter().filter_map(|r| r.bending_of()).collect();
@@ -51,11 +50,11 @@ pub(super) fn senses(e: &EndPlate, out: &mut HandChecks) -> Vec<SenseLimits> {
 }
 
 /// Rotation capacity of the web panel where it limits the joint in shear.
-fn panel(e: &EndPlate, subject: &str, a: &Assessment) -> Option<Check> {
+fn panel(e: &EndPlate, subject: &Subject, a: &Assessment) -> Option<Check> {
     let c = e.column.as_ref().filter(|_| a.shear_governs())?;
-    let subject = format!("column web panel, {subject}");
+    let subject = Subject::from(Part::Panel).and(subject.clone());
     let clear = Section::from(&c.section).clear_depth();
-    Some(panel_in_shear(&subject, clear, c.section.tw, c.steel.fy.mpa()))
+    Some(panel_in_shear(subject, clear, c.section.tw, c.steel.fy.mpa()))
 }
 
 /// Notes on the parts that the component method leaves out, on the safe side.
@@ -78,32 +77,28 @@ pub(super) fn left_out(e: &EndPlate) -> Vec<String> {
 }
 
 /// Rows, limits, moment resistance and stiffness for one sense of bending.
-fn tables(e: &EndPlate, subject: &str, sense: Sense, a: &Assessment) -> Vec<Check> {
+fn tables(e: &EndPlate, subject: &Subject, sense: Sense, a: &Assessment) -> Vec<Check> {
     let topic = Topic::ComponentMethod;
     let mut out = Vec::new();
     for (r, row) in a.rows.iter().enumerate() {
-        let row_subject = format!("{subject}, row {} at z = {} mm", r + 1, n(sense.z(row.z)));
+        let place = Place::Row { number: r + 1, z: sense.z(row.z) };
         // the formula shows the numbers of the component that limits the row
-        let name = row.limited_by.split(',').next().unwrap_or_default();
-        let of = |c: &&Component| c.name == name;
+        let of = |c: &&Component| row.limited_by.component() == Some(c.kind);
         let groups = row.groups.iter().map(|g| &g.component);
-        let shown = if row.limited_by.contains("rows") {
-            groups.rev().find(of)
-        } else {
-            row.alone.iter().find(of)
-        };
+        let grouped = matches!(row.limited_by, LimitedBy::Group { .. });
+        let shown = if grouped { groups.rev().find(of) } else { row.alone.iter().find(of) };
         let before = Derivation::from(format!("F_tr,Rd, limited by {}", row.limited_by));
         let before = match shown {
-            Some(c) if row.limited_by.contains("rows") => {
+            Some(c) if grouped => {
                 before.followed_by(c.worked.derivation.clone()).then("less the rows above")
             }
             Some(c) => before.followed_by(c.worked.derivation.clone()),
-            None if of_sum(a, r) => before.then("what is left of the sum"),
+            None if of_sum(row) => before.then("what is left of the sum"),
             None => before,
         };
         let mut force = Worked::of(
             "EN 1993-1-8:2005 6.2.7.2",
-            "tension resistance of a row",
+            CheckId::RowTension,
             "F_tr,Rd",
             row_force(a, r, shown),
             Unit::Force,
@@ -111,31 +106,33 @@ fn tables(e: &EndPlate, subject: &str, sense: Sense, a: &Assessment) -> Vec<Chec
         .after(before)
         .with("h_r", row.lever, Unit::Length);
         for c in &row.alone {
-            force = force.with(&format!("{} alone", c.name), c.worked.value, Unit::Force);
+            force = force.with(&format!("{} alone", c.kind.words()), c.worked.value, Unit::Force);
         }
         force = force.with("after groups", row.grouped, Unit::Force);
         // m, n, effective lengths and modes of that component
         force.steps.extend(shown.into_iter().flat_map(|c| c.worked.steps.iter().cloned()));
-        out.push(force.information(topic, row_subject));
+        out.push(force.information(topic, subject.clone().and(place)));
     }
-    out.extend(a.limits.iter().map(|l| l.worked.clone().information(topic, subject)));
-    out.push(a.moment.clone().information(topic, subject));
+    out.extend(a.limits.iter().map(|l| l.worked.clone().information(topic, subject.clone())));
+    out.push(a.moment.clone().information(topic, subject.clone()));
     let (joint, beam) = (a.moment.value, a.beam_moment.value);
     let share = Traced::symbol("M_j,Rd", joint, Unit::Moment)
         / Traced::symbol("M_c,Rd", beam, Unit::Moment);
-    let title = "strength against that of the beam";
-    let share = Worked::of("EN 1993-1-8:2005 5.2.3", title, "M_j,Rd/M_c,Rd", share, Unit::Number);
-    out.push(share.information(topic, subject));
+    let id = CheckId::StrengthBesideBeam;
+    let share = Worked::of("EN 1993-1-8:2005 5.2.3", id, "M_j,Rd/M_c,Rd", share, Unit::Number);
+    out.push(share.information(topic, subject.clone()));
     let initial = &a.stiffness.initial;
-    out.push(initial.clone().information(Topic::Stiffness, subject));
+    out.push(initial.clone().information(Topic::Stiffness, subject.clone()));
     let joins = if e.column.is_some() { Joins::BeamToColumn } else { Joins::Other };
-    out.push(for_elastic_analysis(initial.value, joins).information(Topic::Stiffness, subject));
+    out.push(
+        for_elastic_analysis(initial.value, joins).information(Topic::Stiffness, subject.clone()),
+    );
     out
 }
 
 /// Whether a row has what the components in compression and shear leave of the sum.
-fn of_sum(a: &Assessment, r: usize) -> bool {
-    a.limits.iter().any(|l| l.worked.title == a.rows[r].limited_by)
+fn of_sum(row: &RowForce) -> bool {
+    matches!(row.limited_by, LimitedBy::Sum(_))
 }
 
 /// The force of a row by the formula of what limits it; a symbol of its own where several limits
@@ -149,7 +146,7 @@ fn row_force(a: &Assessment, r: usize, shown: Option<&Component>) -> Traced {
     let found = match (alone, group) {
         (Some(all), Some(g)) => (g.first..r).map(grouped).reduce(|a, b| a + b).map(|sum| all - sum),
         (Some(alone), None) => Some(alone),
-        (None, _) if !of_sum(a, r) => {
+        (None, _) if !of_sum(row) => {
             let h = Traced::length("h_r", row.lever);
             let of = |x: usize| {
                 let lever = Traced::length(format!("h_{}", x + 1), a.rows[x].lever);

@@ -1,14 +1,15 @@
 //! Detailing of an end plate: spacing and edge distances, room for tools and washers, length of the
 //! bolts.
 
-use super::bolt_rows::{end_distance, from_top, pitches};
+use super::bolt_rows::{bolt, end_distance, from_top, pitches};
 use super::clamped_plates::{WASHERS, other_thickness, stocked_length};
-use crate::check::{Check, Status, Step, Topic, Unit, number as n, within};
+use crate::check::{Check, CheckId, Status, Step, Topic, Unit, number as n, within};
 use crate::component_method::column_web::STIFFENER_SLENDERNESS;
 use crate::eurocode::bolt_length;
 use crate::eurocode::section::epsilon;
 use crate::eurocode::spacing::{Pattern, pattern_checks, washer_check, wrench_check};
 use crate::formula::Traced;
+use crate::subject::{Part, Place, Subject};
 use bracket_joint::assembly::{ColumnSide, EndPlate};
 use std::f64::consts::SQRT_2;
 
@@ -35,14 +36,14 @@ fn spacing(e: &EndPlate) -> Vec<Check> {
         p1,
         p2,
     };
-    let mut out = pattern_checks("end plate", &plate);
+    let mut out = pattern_checks(Part::EndPlate, &plate);
     if let Some(c) = &e.column {
         // the pattern has the pitch and gauge of the plate
         let ends = e.rows.iter().filter_map(|z| c.ends().nearest(*z));
         let e1 = ends.reduce(f64::min).filter(|end| within(*end, 4.0 * thinner + 40.0));
         let flange =
             Pattern { e1, e2: Some(0.5 * (c.section.b - outermost)), p1: None, p2: None, ..plate };
-        out.extend(pattern_checks("column flange", &flange));
+        out.extend(pattern_checks(Part::ColumnFlange, &flange));
         out.extend(overhang(e, c));
     }
     out
@@ -60,13 +61,14 @@ fn room(e: &EndPlate) -> Vec<Check> {
         if stiffener > 0.0 {
             room = room.min((a - 0.5 * (outer + inner)).abs() - 0.5 * stiffener);
         }
-        out.push(wrench_check(&format!("row at z = {} mm, flanges and stiffeners", n(z)), room, d));
+        let place = Subject::from(Place::Rows(vec![z])).and(Part::FlangesAndStiffeners);
+        out.push(wrench_check(place, room, d));
     }
-    out.push(wrench_check("beam web", 0.5 * (e.gauge - e.beam.tw) - leg(e.web_throat), d));
+    out.push(wrench_check(Part::BeamWeb, 0.5 * (e.gauge - e.beam.tw) - leg(e.web_throat), d));
     if let Some(c) = &e.column {
         let to_web = 0.5 * (e.gauge - c.section.tw);
-        out.push(wrench_check("column web", to_web, d));
-        out.push(washer_check("column flange", to_web, e.bolt.washer_outer, c.section.r));
+        out.push(wrench_check(Part::ColumnWeb, to_web, d));
+        out.push(washer_check(Part::ColumnFlange, to_web, e.bolt.washer_outer, c.section.r));
         if c.stiffener > 0.0 {
             out.push(stiffener_slenderness(c));
         }
@@ -79,7 +81,7 @@ fn length_of_bolts(e: &EndPlate) -> Vec<Check> {
     let (b, grip, mut out) = (&e.bolt, e.grip, Vec::new());
     let least = bolt_length::least_length(b, grip, WASHERS);
     let stocked = stocked_length(e);
-    let subject = format!("{} {}, {} washers", b.size, e.grade.grade, WASHERS);
+    let subject = Subject::from(bolt(e)).and(Place::Washers(WASHERS));
     let mut length = least.information(Topic::Detailing, subject.clone());
     if let Some(l) = stocked {
         let count = e.bolt_count();
@@ -89,7 +91,7 @@ fn length_of_bolts(e: &EndPlate) -> Vec<Check> {
         length.values.push(Step { symbol: "l".into(), value: l, unit: Unit::Length });
     }
     out.push(length);
-    out.extend(stocked.map(|l| bolt_length::shank_check(&subject, b, l, grip, WASHERS)));
+    out.extend(stocked.map(|l| bolt_length::shank_check(subject, b, l, grip, WASHERS)));
     out
 }
 
@@ -99,13 +101,10 @@ fn length_of_bolts(e: &EndPlate) -> Vec<Check> {
 /// # Source
 /// EN 1993-1-8:2005 Figure 6.8(b): e_min is then the edge distance in the column's flange.
 fn overhang(e: &EndPlate, c: &ColumnSide) -> Option<Check> {
-    let what = (
-        "EN 1993-1-8:2005 Figure 6.8",
-        "end plate no wider than the column flange, where it bears",
-    );
+    let what = ("EN 1993-1-8:2005 Figure 6.8", CheckId::PlateOverhang);
     let rule = Traced::length(format!("b_fc of {}", c.section.name), c.section.b);
     let check = Check::at_most(
-        (Topic::Detailing, "end plate"),
+        (Topic::Detailing, Part::EndPlate),
         what,
         "b_p",
         rule,
@@ -126,13 +125,6 @@ fn stiffener_slenderness(c: &ColumnSide) -> Check {
     let rule = Traced::from(STIFFENER_SLENDERNESS)
         * Traced::number("ε", epsilon(c.steel.fy.mpa()))
         * Traced::length("t_s", c.stiffener);
-    let title = ("EN 1993-1-5:2006 9.2.1", "outstand of the stiffener");
-    Check::at_most(
-        (Topic::Detailing, "column stiffener"),
-        title,
-        "c",
-        rule,
-        outstand,
-        Status::Warning,
-    )
+    let what = ("EN 1993-1-5:2006 9.2.1", CheckId::StiffenerOutstand);
+    Check::at_most((Topic::Detailing, Part::Stiffener), what, "c", rule, outstand, Status::Warning)
 }

@@ -2,9 +2,10 @@
 
 use super::bolt_checks::{DOWN, for_bearing, group_bearing, shear_of_all};
 use super::bolt_holes::{CLEARANCES, Clearance};
-use crate::check::{Check, Topic, Unit, number as n};
+use crate::check::{Check, CheckId, Topic, Unit, number as n};
 use crate::eurocode::bearing::Hole;
 use crate::formula::Traced;
+use crate::subject::Part;
 use crate::worked::Worked;
 use bracket_joint::assembly::EndPlate;
 
@@ -13,10 +14,10 @@ pub(super) fn holes(e: &EndPlate) -> Vec<Check> {
     let b = &e.bolt;
     let kind = Clearance::of(e);
     let Some(slip) = kind.slip() else { return Vec::new() };
-    let (title, part) = match (kind, for_bearing(e, DOWN)) {
-        (Clearance::Normal, _) => ("normal round holes", 1.0),
-        (_, Hole::Normal) => ("round holes with 2 mm clearance of small bolts", 1.0),
-        _ => ("oversize round holes", 0.8),
+    let (id, part) = match (kind, for_bearing(e, DOWN)) {
+        (Clearance::Normal, _) => (CheckId::NormalHoles, 1.0),
+        (_, Hole::Normal) => (CheckId::SmallBoltHoles, 1.0),
+        _ => (CheckId::OversizeHoles, 0.8),
     };
     let words = format!(
         "d0 = {} mm, normal {} mm, oversize {} mm: bearing times {} (Table 3.4), k_s = {} (Table \
@@ -28,7 +29,7 @@ pub(super) fn holes(e: &EndPlate) -> Vec<Check> {
         n(slip.ks())
     );
     let clearance = Traced::length("d0", e.hole) - Traced::length("d", b.d);
-    let mut worked = Worked::of(CLEARANCES, title, "", clearance, Unit::Length).after(words);
+    let mut worked = Worked::of(CLEARANCES, id, "", clearance, Unit::Length).after(words);
     if kind == Clearance::Small {
         let (shear, bearing) = (shear_of_all(e, DOWN), group_bearing(e, Hole::Normal, DOWN));
         worked = worked.after(format!(
@@ -41,5 +42,5 @@ pub(super) fn holes(e: &EndPlate) -> Vec<Check> {
             }
         ));
     }
-    vec![worked.information(Topic::Detailing, "holes")]
+    vec![worked.information(Topic::Detailing, Part::Holes)]
 }

@@ -5,23 +5,21 @@ use super::column_forces::PanelShear;
 use super::comparison::largest_multiple;
 use super::member_end::{LoadedEnd, MemberEnd};
 use super::transformation::other_ends;
-use crate::check::{Check, Status, Topic, Unit, within};
+use crate::check::{Check, CheckId, Status, Topic, Unit, within};
 use crate::component_method::Summed;
 use crate::formula::Traced;
 use crate::worked::Worked;
 
-/// Title of the check of moment and axial force.
-pub(super) const MOMENT_AND_AXIAL: &str = "moment and axial force of the joint";
-
 /// Moment and axial force against the resistance of the joint.
 pub(super) fn moment_and_axial(loaded: &LoadedEnd<'_>) -> Check {
-    let (end, method) = (loaded.end, loaded.method);
+    let (end, method, topic) = (loaded.end, loaded.method, Topic::ComponentMethod);
     let Some(mut check) = method.share(end.a.at(1.0)) else {
-        let (clause, title) = ("EN 1993-1-8:2005 6.2.7.1", MOMENT_AND_AXIAL);
+        let (clause, id) = ("EN 1993-1-8:2005 6.2.7.1", CheckId::MomentAndAxial);
         let why = "no plastic equilibrium of the rows with an axial force beyond 5 % of \
                    N_pl,Rd is covered";
         let step = "a smaller axial force, or rows that the equilibrium covers";
-        return Check::undecided(Topic::ComponentMethod, end.subject(), clause, title, why, step);
+        let open = Check::undecided(topic, end.subject(), clause, id, why, step);
+        return open.of_strength();
     };
     check = check.with("M_j,Rd", method.moment, Unit::Moment);
     if let Some(e) = &method.equilibrium {
@@ -35,7 +33,7 @@ pub(super) fn moment_and_axial(loaded: &LoadedEnd<'_>) -> Check {
     let (axial, my) = (at[0][0].abs(), at[1][1].abs());
     let bending = my / method.moment;
     let used = check.value;
-    let mut check = check.utilised(Topic::ComponentMethod, end.subject(), Status::Failed);
+    let mut check = check.utilised(topic, end.subject(), Status::Failed).of_strength();
     // a moment against the one that the joint carries beside the axial force; an axial force that
     // uses more of its own resistance stands in place of it
     let alone = used > bending && method.with_axial(at).is_none();
@@ -63,11 +61,12 @@ pub(super) fn left_out_axial(loaded: &LoadedEnd<'_>) -> Option<Check> {
     }
     let carried = equilibrium.at(axial, my).filter(|c| c.factor > 0.0)?;
     let before = largest_multiple(my, axial).then("6.2.7.1(2) leaves N_Ed ≤ 0.05 N_pl,Rd out");
-    let title = "axial force that the code leaves out, in equilibrium";
+    let id = CheckId::AxialLeftOut;
     let together = Traced::from(1.0) / Traced::number("α", carried.factor);
-    let worked = Worked::of("EN 1993-1-8:2005 6.2.7.1(2)", title, "1/α", together, Unit::Number)
-        .after(before);
+    let worked =
+        Worked::of("EN 1993-1-8:2005 6.2.7.1(2)", id, "1/α", together, Unit::Number).after(before);
     let check = worked.utilised(Topic::ComponentMethod, end.subject(), Status::Warning);
+    let check = check.of_strength();
     (check.status == Status::Warning).then_some(check)
 }
 
@@ -79,19 +78,19 @@ pub(super) fn stability(loaded: &LoadedEnd<'_>) -> Vec<Check> {
     for s in &end.assessment.stability {
         let web = end.assessment.limit(Summed::ColumnWeb).filter(|_| s.covered);
         let Some(web) = web else {
-            let title = "stability that a limit analysis does not see";
+            let id = CheckId::Unseen;
             out.push(Check::undecided(
                 Topic::Stability,
                 end.subject(),
                 s.clause,
-                title,
+                id,
                 s.why.clone(),
                 s.step,
             ));
             continue;
         };
         let mut worked = web.clone();
-        worked.title = "column web in compression, with its buckling";
+        worked.id = CheckId::ColumnWebBuckling;
         worked = worked.after(s.why.clone());
         out.push(worked.against(Topic::Stability, end.subject(), push, Status::Failed));
     }
@@ -99,11 +98,10 @@ pub(super) fn stability(loaded: &LoadedEnd<'_>) -> Vec<Check> {
     let buckling = method.equilibrium.as_ref().filter(|_| axial < 0.0);
     if let Some((e, why)) = buckling.and_then(|e| Some((e, e.buckles.as_ref()?))) {
         let why = why.clone().then("N_j,Rd by the plastic equilibrium of the joint");
-        let title = "axial compression of the joint, with the buckling of the column web";
+        let id = CheckId::AxialBuckling;
         let resistance = Traced::force("N_j,Rd", e.compression);
-        let worked =
-            Worked::of("EN 1993-1-8:2005 6.2.6.2", title, "N_j,Rd", resistance, Unit::Force)
-                .after(why);
+        let worked = Worked::of("EN 1993-1-8:2005 6.2.6.2", id, "N_j,Rd", resistance, Unit::Force)
+            .after(why);
         out.push(worked.against(Topic::Stability, end.subject(), -axial, Status::Failed));
     }
     out
@@ -128,7 +126,8 @@ pub(super) fn panel(end: &MemberEnd<'_>) -> Option<Check> {
         return None;
     }
     let mut check = resistance.after(shear.derivation);
-    check.title = shear.title;
+    check.id = shear.id;
     check.clause = "EN 1993-1-8:2005 5.3(3), 6.2.6.1";
-    Some(check.against(Topic::ComponentMethod, end.subject(), shear.demand, Status::Failed))
+    let (topic, of) = (Topic::ComponentMethod, end.subject());
+    Some(check.against(topic, of, shear.demand, Status::Failed).of_strength())
 }

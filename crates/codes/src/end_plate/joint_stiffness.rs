@@ -2,8 +2,9 @@
 //! class by stiffness.
 
 use super::column_flexibility::column_flexibility;
-use crate::classification::{Frame, StiffnessClass, stiffness_limits};
+use crate::classification::{StiffnessClass, stiffness_limits};
 use crate::component_method::Assessment;
+use crate::subject::Frame;
 use bracket_joint::assembly::{EndPlate, PlaneActions};
 use serde::{Deserialize, Serialize};
 

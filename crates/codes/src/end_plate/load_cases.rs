@@ -6,19 +6,19 @@ use super::class_checks::classes;
 use super::column_checks;
 use super::comparison::Comparison;
 use super::hand_checks::HandChecks;
-use super::joint_checks::{self, MOMENT_AND_AXIAL};
+use super::joint_checks;
 use super::joint_stiffness::PureMoment;
 use super::loaded_welds;
 use super::member_end::{LoadedEnd, MemberEnd, subject};
 use super::method_record::MethodRecord;
-use super::sense::Sense;
 use super::slip_checks::slip;
 use super::stiffener_checks::{doubler_welds, stiffeners};
 use super::transformation::beta;
 use super::weld_checks;
-use crate::check::{Check, Status, Topic, Unit, within};
+use crate::check::{Check, CheckId, Status, Topic, Unit, within};
 use crate::eurocode::i_section::Section;
 use crate::eurocode::yielding::plastic_shear;
+use crate::subject::{Sense, Subject};
 use bracket_joint::assembly::{EndPlate, PlaneActions};
 
 /// Adds the checks of every load case and member end.
@@ -40,17 +40,16 @@ pub(super) fn checks(e: &EndPlate, out: &mut HandChecks) {
         let end = match MemberEnd::new(e, a) {
             Ok(end) => end,
             Err(fault) => {
-                let (clause, title) =
-                    ("EN 1993-1-8:2005 6.2", "resistance by the component method");
+                let (clause, id) = ("EN 1993-1-8:2005 6.2", CheckId::MethodResistance);
                 let check = Check::undecided(
                     Topic::ComponentMethod,
                     subject(a, Sense::of_moment(a.at(1.0)[1][1])),
                     clause,
-                    title,
+                    id,
                     fault.to_string(),
                     fault.step(),
                 );
-                out.checks.extend(ultimate.then(|| check.of_case(&a.case)));
+                out.checks.extend(ultimate.then(|| check.of_strength().of_case(&a.case)));
                 continue;
             }
         };
@@ -87,8 +86,8 @@ pub(super) fn checks(e: &EndPlate, out: &mut HandChecks) {
 /// above half of its resistance. `None` where it is that of the sense of bending, or of an earlier
 /// case.
 fn of_its_own(end: &MemberEnd<'_>, known: &[MethodRecord]) -> Option<MethodRecord> {
-    let subject = format!("{}, {}, {}", end.a.case, end.a.end, end.sense.words());
-    let turned = end.sense.of(&end.joint);
+    let subject = format!("{}, {}", end.a.case, end.subject());
+    let turned = end.joint.turned(end.sense);
     let own = MethodRecord::new(&subject, true, end.sense, &turned, &end.assessment);
     let same = |o: &MethodRecord| MethodRecord { subject: own.subject.clone(), ..o.clone() } == own;
     (!known.iter().any(same)).then_some(own)
@@ -102,7 +101,7 @@ fn no_formula(a: &PlaneActions) -> Vec<Check> {
         (
             "Mz",
             mz,
-            "moment of the joint about the weak axis",
+            CheckId::WeakAxisOfJoint,
             "6.2 has no resistance of the joint to it: the rows would pull with one column of \
              bolts each, for which Tables 6.4 and 6.6 have no effective lengths",
             "a detail that carries Mz beside the joint, or a check by another method; bounds of \
@@ -111,7 +110,7 @@ fn no_formula(a: &PlaneActions) -> Vec<Check> {
         (
             "T",
             torsion,
-            "torsion of the joint",
+            CheckId::TorsionOfJoint,
             "6.2 has no resistance of end plate and welds to it, and the restraint of warping at \
              the plate is not known",
             "a detail that carries T beside the joint, or a check by another method; bounds of \
@@ -119,10 +118,10 @@ fn no_formula(a: &PlaneActions) -> Vec<Check> {
         ),
     ];
     let acts = steps.into_iter().filter(|(_, moment, ..)| *moment != 0.0);
-    let check = |(name, moment, title, why, step): (_, _, _, _, &str)| {
+    let check = |(name, moment, id, why, step): (_, _, _, _, &str)| {
         let (clause, value) = ("EN 1993-1-8:2005 6.2", Unit::Moment.show(moment));
         let why = format!("{name} = {value}: {why}");
-        Check::undecided(Topic::Bolts, a.end.clone(), clause, title, why, step)
+        Check::undecided(Topic::Bolts, Subject::end(&a.end), clause, id, why, step)
     };
     acts.map(check).collect()
 }
@@ -137,18 +136,18 @@ fn no_moment(end: &MemberEnd<'_>, moment: f64) -> Option<Check> {
     if my == 0.0 || moment > 0.0 {
         return None;
     }
-    let (clause, title) = ("EN 1993-1-1:2005 6.2.8", MOMENT_AND_AXIAL);
+    let (clause, id) = ("EN 1993-1-1:2005 6.2.8", CheckId::MomentAndAxial);
     let why = format!(
         "the components leave M_j,Rd = 0 beside V_Ed = {}: the rows cannot carry M_j,Ed = {}",
         Unit::Force.show(vy.hypot(vz)),
         Unit::Moment.show(my.abs())
     );
     let step = "a beam with more shear resistance, or less shear force";
-    let none = Check::undecided(Topic::ComponentMethod, end.subject(), clause, title, why, step);
+    let none = Check::undecided(Topic::ComponentMethod, end.subject(), clause, id, why, step);
     // beyond V_pl,Rd the check of the shear force fails, with its number
     let e = end.e;
     let area = Section::from(&e.beam).shear_area();
     let plastic = plastic_shear(area, e.beam_steel.fy.mpa(), e.factors.gamma_m0);
     let status = if within(vz.abs(), plastic) { Status::Failed } else { none.status };
-    Some(Check { status, ..none })
+    Some(Check { status, ..none }.of_strength())
 }

@@ -3,20 +3,18 @@
 
 use super::weld_lengths;
 use super::welded_steel;
-use crate::check::{Check, Status, Topic, Unit, within};
+use crate::check::{Check, CheckId, Status, Topic, Unit, within};
 use crate::eurocode::welds::{
     LineForce, WeldedSteel, either_method, full_strength_throat, transverse,
 };
 use crate::formula::{Derivation, Formula, Line, Number, Traced};
+use crate::subject::{Part, Subject};
 use crate::worked::Worked;
 use bracket_joint::assembly::{EndPlate, PlaneActions};
 
 /// Part of the compression that the welds take beside a prepared contact, EN 1993-1-8:2005 6.2.7.1
 /// for splices in full contact.
 const BESIDE_CONTACT: f64 = 0.25;
-
-/// Title of a weld that is as strong as the part it joins.
-pub(super) const FULL_STRENGTH: &str = "fillet weld of full strength";
 
 /// Words of a plate that yields before it has brought its weld all forces.
 pub(super) const YIELDS: &str = "the web yields at a part η of the forces";
@@ -89,12 +87,12 @@ pub(super) fn under_load(e: &EndPlate, a: &PlaneActions) -> Vec<Check> {
     let [[axial, vy, vz], [_, my, _]] = a.at(1.0);
     let forces = flange_forces(e, axial, my);
     if e.flange_throat > 0.0 {
-        let subject = format!("{}, beam flange", a.end);
-        out.push(flange(e, &forces, vy, &steel, subject.clone()));
+        let subject = Subject::end(&a.end).and(Part::BeamFlange);
+        out.push(flange(e, &forces, vy, &steel, subject));
     }
     if e.web_throat > 0.0 {
-        let subject = format!("{}, beam web", a.end);
-        out.extend(web(e, &forces, vz, &steel, &subject));
+        let subject = Subject::end(&a.end).and(Part::BeamWeb);
+        out.extend(web(e, &forces, vz, &steel, subject));
     }
     out
 }
@@ -106,7 +104,7 @@ fn flange(
     forces: &FlangeForces,
     vy: f64,
     steel: &WeldedSteel,
-    subject: String,
+    subject: Subject,
 ) -> Check {
     let (a, length) = (e.flange_throat, weld_lengths::flange(e));
     let l = length.traced();
@@ -121,7 +119,7 @@ fn flange(
         worked = worked
             .then(welded_steel::as_strong(a, &full))
             .becomes("F_w,Rd", flange_strength(e) / l.clone());
-        worked.title = FULL_STRENGTH;
+        worked.id = CheckId::WeldFullStrength;
         worked.clause = "EN 1993-1-8:2005 6.2.3(4)";
     }
     let across = Traced::force("F_Ed", forces.weld);
@@ -157,7 +155,7 @@ fn web(
     forces: &FlangeForces,
     vz: f64,
     steel: &WeldedSteel,
-    subject: &str,
+    subject: Subject,
 ) -> Option<Check> {
     let length = weld_lengths::web(e);
     if length.value <= 0.0 {
@@ -241,10 +239,14 @@ pub(super) fn flange_resistance(e: &EndPlate, clause: &'static str) -> Option<Wo
     let length = weld_lengths::flange(e);
     let each = transverse(a, &steel);
     let along = each.traced() * weld_lengths::counted(&length);
-    let of = |value: Traced| Worked::of(clause, "", "F_Rd", value, Unit::Force);
+    let of = |value: Traced| {
+        let id = CheckId::FlangeWeldNotWeakest;
+        Worked::of(clause, id, "F_Rd", value, Unit::Force)
+    };
     Some(match within(full.value, a) && most.value() > along.value() {
         true => {
-            let why = Derivation::from(welded_steel::as_strong(a, &full)).then(FULL_STRENGTH);
+            let why = Derivation::from(welded_steel::as_strong(a, &full))
+                .then(CheckId::WeldFullStrength.title());
             of(most).after(why)
         }
         false => of(along).after(Derivation::from(length).followed_by(each.derivation)),

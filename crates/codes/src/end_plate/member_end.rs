@@ -9,14 +9,13 @@
 use super::column_forces::{ColumnForces, known};
 use super::comparison::Method;
 use super::component_joint::component_joint;
-use super::sense::Sense;
 use super::transformation::beta;
-use crate::check::number as n;
 use crate::component_method::assembly::RowForce;
 use crate::component_method::equilibrium::{Carried, RowPull};
 use crate::component_method::joint::EndPlateJoint;
 use crate::component_method::{Assessment, Equilibrium, assess};
 use crate::error::CheckError;
+use crate::subject::{Place, Sense, Subject};
 use bracket_joint::assembly::{EndPlate, PlaneActions};
 
 /// A member end under a load case, with the component method of its sense of bending.
@@ -44,12 +43,12 @@ impl<'a> MemberEnd<'a> {
         if let (Some(c), Some(side)) = (&mut joint.column, e.column.as_ref().filter(|c| known(c))) {
             c.longitudinal = ColumnForces::of_case(e, side, &a.case).longitudinal(side);
         }
-        let assessment = assess(&sense.of(&joint))?;
+        let assessment = assess(&joint.turned(sense))?;
         Ok(Self { e, a, sense, joint, assessment })
     }
 
     /// Member end and sense of bending.
-    pub fn subject(&self) -> String {
+    pub fn subject(&self) -> Subject {
         subject(self.a, self.sense)
     }
 
@@ -62,14 +61,14 @@ impl<'a> MemberEnd<'a> {
             moment: self.assessment.moment.value,
             equilibrium: if acts { Equilibrium::new(&self.joint).ok() } else { None },
             beta: self.joint.beta,
-            sense: self.sense.words(),
+            sense: self.sense,
         }
     }
 }
 
 /// Member end and sense of bending, as a check names them.
-pub(super) fn subject(a: &PlaneActions, sense: Sense) -> String {
-    format!("{}, {}", a.end, sense.words())
+pub(super) fn subject(a: &PlaneActions, sense: Sense) -> Subject {
+    Subject::end(&a.end).and(sense)
 }
 
 /// A member end with the forces of its actions.
@@ -95,9 +94,9 @@ impl<'a> LoadedEnd<'a> {
         Self { end, method, states, push: push(end, method) }
     }
 
-    /// Member end and the further words that name the place.
-    pub fn place(&self, words: &str) -> String {
-        format!("{}, {words}", self.end.a.end)
+    /// Member end and a place at it.
+    pub fn place(&self, further: impl Into<Subject>) -> Subject {
+        Subject::end(&self.end.a.end).and(further)
     }
 
     /// Force of a row, counted from the tension side \[N\]; more than its resistance where the load
@@ -137,11 +136,9 @@ impl<'a> LoadedEnd<'a> {
     }
 
     /// The rows `first..=last` as a check names them.
-    pub fn rows(&self, first: usize, last: usize) -> String {
+    pub fn rows(&self, first: usize, last: usize) -> Place {
         let each = self.end.assessment.rows.get(first..=last).unwrap_or_default().iter();
-        let each: Vec<String> = each.map(|r| n(self.end.sense.z(r.z))).collect();
-        let many = if each.len() > 1 { "rows" } else { "row" };
-        format!("{many} at z = {} mm", each.join(" and "))
+        Place::Rows(each.map(|r| self.end.sense.z(r.z)).collect())
     }
 }
 

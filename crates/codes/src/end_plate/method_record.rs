@@ -1,13 +1,14 @@
 //! The component method of a sense of bending with all numbers from which M_j,Rd follows, so that
 //! a reader can compute it again.
 
-use super::sense::Sense;
-use crate::check::Step;
+use crate::check::{CheckId, Step};
 use crate::component_method::assembly::{Limit, RowForce};
 use crate::component_method::joint::EndPlateJoint;
 use crate::component_method::rows::Component;
 use crate::component_method::stiffness::RowStiffness;
+use crate::component_method::t_stub::{Mode, Prying};
 use crate::component_method::{Assessment, Summed};
+use crate::subject::Sense;
 use crate::worked::Worked;
 use serde::{Deserialize, Serialize};
 
@@ -95,9 +96,9 @@ pub struct StubRecord {
     /// False where the bolts are so long that no prying forces develop.
     pub prying: bool,
     /// Resistances of the modes: `mode 1`, `mode 2`, `mode 3`, or `mode 1-2` and `mode 3`.
-    pub modes: Vec<(String, f64)>,
+    pub modes: Vec<(Mode, f64)>,
     /// The mode that decides.
-    pub mode: String,
+    pub mode: Mode,
     /// F_T,Rd.
     pub resistance: f64,
     /// The web of column or beam in tension behind it; absent beside a row outside the flange.
@@ -189,7 +190,7 @@ impl RowRecord {
             alone: row.single,
             grouped: row.grouped,
             force: row.force,
-            limited_by: row.limited_by.clone(),
+            limited_by: row.limited_by.to_string(),
             stiffness: all.into_iter().filter_map(step).collect(),
         }
     }
@@ -200,15 +201,14 @@ impl StubRecord {
     fn all<'a>([first, last]: [usize; 2], of: impl Iterator<Item = &'a Component>) -> Vec<Self> {
         let mut out: Vec<Self> = Vec::new();
         for c in of {
-            let Some(stub) = &c.stub else {
+            let (Some(stub), Some(mode)) = (&c.stub, c.mode) else {
                 if let Some(last) = out.last_mut() {
                     last.web = WebRecord::of(c);
                 }
                 continue;
             };
-            let modes = c.worked.steps.iter().filter(|s| s.symbol.starts_with("mode "));
             out.push(Self {
-                part: c.name.into(),
+                part: c.kind.words().into(),
                 rows: [first + 1, last + 1],
                 thickness: stub.of.thickness,
                 fy: stub.of.fy,
@@ -220,9 +220,9 @@ impl StubRecord {
                 circular: stub.lengths.circular,
                 straight: stub.lengths.straight,
                 washer_quarter: stub.of.washer_quarter,
-                prying: stub.of.prying == crate::component_method::t_stub::Prying::Develops,
-                modes: modes.map(|s| (s.symbol.clone(), s.value)).collect(),
-                mode: c.mode.map_or(String::new(), |m| m.name().into()),
+                prying: stub.of.prying == Prying::Develops,
+                modes: stub.modes.clone(),
+                mode,
                 resistance: c.worked.value,
                 web: None,
             });
@@ -235,7 +235,7 @@ impl WebRecord {
     fn of(c: &Component) -> Option<Self> {
         let step = |symbol| c.worked.step(symbol);
         Some(Self {
-            part: c.name.into(),
+            part: c.kind.words().into(),
             width: step("b_eff")?,
             thickness: step("t_w")?,
             fy: step("f_y")?,
@@ -247,14 +247,14 @@ impl WebRecord {
 
 impl LimitRecord {
     fn new(limit: &Limit) -> Self {
-        let part = match limit.of {
-            Summed::ColumnWeb => "column web in compression",
-            Summed::BeamFlange => "beam flange and web in compression",
-            Summed::Panel => "column web panel in shear",
+        let id = match limit.of {
+            Summed::ColumnWeb => CheckId::ColumnWebCompression,
+            Summed::BeamFlange => CheckId::BeamFlangeCompression,
+            Summed::Panel => CheckId::ColumnPanel,
         };
         let Worked { clause, steps, value, .. } = &limit.worked;
         Self {
-            part: part.into(),
+            part: id.title().into(),
             clause: (*clause).into(),
             formula: limit.worked.formula(),
             values: steps.clone(),

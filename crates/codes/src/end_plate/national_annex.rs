@@ -1,9 +1,10 @@
 //! What a national annex changes beside the partial factors, and a list of what is not covered.
 
 use super::clamped_plates::clamped;
-use crate::check::{Check, Status, Topic};
-use crate::ductility::plastic_distribution;
+use crate::check::{Binding, Check, CheckId, Status, Topic};
+use crate::ductility::{Clamped, plastic_distribution};
 use crate::formula::{Number, Traced};
+use crate::subject::{Part, Place};
 use bracket_joint::assembly::EndPlate;
 use bracket_joint::spec::code::FySource;
 
@@ -11,9 +12,6 @@ use bracket_joint::spec::code::FySource;
 const UK: &str = "UK";
 /// The catalogue's name of the annex of Germany.
 const GERMANY: &str = "DE";
-
-/// Title of the lists of what is not covered.
-const NOT_COVERED: &str = "rules of the national annex that are not covered";
 
 /// Bolt classes that the German annex excludes.
 const GERMAN_EXCLUDED: [&str; 3] = ["4.8", "5.8", "6.8"];
@@ -32,7 +30,7 @@ pub(super) fn is_uk(e: &EndPlate) -> bool {
 /// # Source
 /// UK National Annex to BS EN 1993-1-8, NA.2.7; SCI P398, 2.
 pub(super) fn triangular(e: &EndPlate) -> bool {
-    let holds = |(part, c)| plastic_distribution(part, &c).status == Status::Ok;
+    let holds = |(part, c): (Part, Clamped)| plastic_distribution(part, &c).status == Status::Ok;
     is_uk(e) && !clamped(e).any(holds)
 }
 
@@ -44,9 +42,9 @@ pub(super) fn checks(e: &EndPlate) -> Vec<Check> {
         Some(GERMANY) => german(e),
         Some(other) => vec![Check::assumption(
             Topic::Detailing,
-            format!("annex {other}"),
+            Place::Annex(other.into()),
             "national annex",
-            NOT_COVERED,
+            CheckId::AnnexNotCovered,
             "the partial factors of the annex are used and nothing else: its choices in EN \
              1993-1-8 3.1.1(3), bolt classes; 3.4.2(1), preload; 5.2.1(2), classification; \
              6.2.7.2(9), forces of the rows; and its additional rules are not covered",
@@ -56,7 +54,7 @@ pub(super) fn checks(e: &EndPlate) -> Vec<Check> {
 
 /// The annex of the United Kingdom.
 fn british(e: &EndPlate) -> Vec<Check> {
-    let (clause, title) = ("UK NA to BS EN 1993-1-8, NA.2.7", "forces of the bolt rows");
+    let (clause, id) = ("UK NA to BS EN 1993-1-8, NA.2.7", CheckId::AnnexRowForces);
     let words = if triangular(e) {
         "neither end plate nor column flange is thin enough for its bolts, t ≤ (d/1.9) \
          √(f_ub/f_y): every row has at most its share of a triangle, F_tr,Rd ≤ F_t1,Rd h_r/h_1"
@@ -65,20 +63,19 @@ fn british(e: &EndPlate) -> Vec<Check> {
          rows may reach their plastic forces"
     };
     let mut out =
-        vec![Check::assumption(Topic::ComponentMethod, "bolt rows", clause, title, words)];
+        vec![Check::assumption(Topic::ComponentMethod, Part::BoltRows, clause, id, words)];
     if e.fy_source == FySource::Table31 {
-        let (clause, title) =
-            ("UK NA to BS EN 1993-1-1, NA.2.4", "yield strengths by the product standard");
+        let (clause, id) = ("UK NA to BS EN 1993-1-1, NA.2.4", CheckId::AnnexYieldStrengths);
         let words = "f_y and f_u are those of Table 3.1; this annex asks for those of the product \
                      standard, which are lower above 16 mm: code.fy_source: product_standard";
-        let check = Check::assumption(Topic::Detailing, "annex UK", clause, title, words);
+        let check = Check::assumption(Topic::Detailing, Place::Annex(UK.into()), clause, id, words);
         out.push(Check { status: Status::Warning, ..check });
     }
     out.push(Check::assumption(
         Topic::Detailing,
-        "annex UK",
+        Place::Annex(UK.into()),
         "UK NA to BS EN 1993-1-8",
-        NOT_COVERED,
+        CheckId::AnnexNotCovered,
         "its choices in EN 1993-1-8 3.1.1(3), bolt classes; 3.4.2(1), preload; 5.2.1(2), \
          classification; and γ_M2 = 1.1 of net sections in EN 1993-1-1 are not covered",
     ));
@@ -89,16 +86,16 @@ fn british(e: &EndPlate) -> Vec<Check> {
 fn german(e: &EndPlate) -> Vec<Check> {
     let mut out = german_throats(e);
     if GERMAN_EXCLUDED.contains(&e.grade.grade.as_str()) {
-        let (clause, title) = ("DIN EN 1993-1-8/NA, NDP to 3.1.1(3)", "bolt class of the annex");
+        let (clause, id) = ("DIN EN 1993-1-8/NA, NDP to 3.1.1(3)", CheckId::AnnexBoltClass);
         let words = format!("bolts of class {} may not be used in Germany", e.grade.grade);
-        let check = Check::assumption(Topic::Detailing, "bolts", clause, title, words);
-        out.push(Check { status: Status::Failed, ..check });
+        let check = Check::assumption(Topic::Detailing, Part::Bolts, clause, id, words);
+        out.push(Check { status: Status::Failed, binding: Binding::Beside, ..check });
     }
     out.push(Check::assumption(
         Topic::Detailing,
-        "annex DE",
+        Place::Annex(GERMANY.into()),
         "DIN EN 1993-1-8/NA",
-        NOT_COVERED,
+        CheckId::AnnexNotCovered,
         "its rules to EN 1993-1-8 3.1.1, galvanised bolts; 3.4.2(1), preload F_p,C* and its \
          procedure; 4.5.3.2(6), f_u of parts above 40 mm and β_w of its own; 5.2.1(2), \
          classification; 6.2.7.2(9), forces of the rows; are not covered",
@@ -113,24 +110,24 @@ fn german(e: &EndPlate) -> Vec<Check> {
 /// The annex lets the welding conditions waive it, with a ≥ 5 mm for t ≥ 30 mm.
 fn german_throats(e: &EndPlate) -> Vec<Check> {
     let mut welds = vec![
-        ("beam flange", e.flange_throat, e.beam.tf.max(e.thickness)),
-        ("beam web", e.web_throat, e.beam.tw.max(e.thickness)),
-        ("rib", e.rib_throat, e.rib.max(e.thickness).max(e.beam.tf)),
+        (Part::BeamFlange, e.flange_throat, e.beam.tf.max(e.thickness)),
+        (Part::BeamWeb, e.web_throat, e.beam.tw.max(e.thickness)),
+        (Part::Rib, e.rib_throat, e.rib.max(e.thickness).max(e.beam.tf)),
     ];
     if let Some(c) = &e.column {
         let (s, t) = (&c.section, c.stiffener.max(c.section.tf));
-        welds.push(("column stiffeners", c.stiffener_throat, t.max(s.tw)));
-        welds.push(("web doubler", c.doubler_throat, c.doubler.max(s.tw)));
+        welds.push((Part::Stiffeners, c.stiffener_throat, t.max(s.tw)));
+        welds.push((Part::Doubler, c.doubler_throat, c.doubler.max(s.tw)));
     }
-    let there = |(part, a, t): (&str, f64, f64)| {
+    let there = |(part, a, t): (Part, f64, f64)| {
         let exists = match part {
-            "rib" => e.rib > 0.0,
-            "column stiffeners" => e.column.as_ref().is_some_and(|c| c.stiffener > 0.0),
-            "web doubler" => e.column.as_ref().is_some_and(|c| c.doubler > 0.0),
+            Part::Rib => e.rib > 0.0,
+            Part::Stiffeners => e.column.as_ref().is_some_and(|c| c.stiffener > 0.0),
+            Part::Doubler => e.column.as_ref().is_some_and(|c| c.doubler > 0.0),
             _ => true,
         };
         (exists && a > 0.0 && t >= GERMAN_THIN).then(|| {
-            let what = ("DIN EN 1993-1-8/NA, NCI to 4.5.2", "least throat beside the thicker part");
+            let what = ("DIN EN 1993-1-8/NA, NCI to 4.5.2", CheckId::AnnexThroat);
             let rule = Traced::length("t_max", t).sqrt() - Traced::from(0.5);
             let mut check =
                 Check::at_least((Topic::Welds, part), what, "a", rule, a, Status::Failed);

@@ -6,13 +6,13 @@
 //! (`component_method::rows`), which becomes an undecided check of each load case.
 
 use super::bolt_holes::{CLEARANCES, Clearance};
-use crate::check::{Check, Topic, Unit, within};
+use super::bolt_rows::bolt;
+use crate::check::{Check, CheckId, Topic, Unit, within};
 use crate::formula::{Derivation, Formula, Line, Relation, Traced};
+use crate::subject::{Part, Subject};
 use bracket_joint::assembly::EndPlate;
 use bracket_joint::strength::Strength;
 
-/// Title of these checks.
-const TITLE: &str = "outside the range of the rules";
 /// Greatest nominal f_y \[MPa\], EN 1993-1-8:2005 1.1(1): S235 to S460.
 const STRONGEST: f64 = 460.0;
 /// Least thickness \[mm\], EN 1993-1-1:2005 1.1.2(1).
@@ -23,8 +23,8 @@ const THINNEST_WELDED: f64 = 4.0;
 const BOLTS: [(f64, f64); 2] = [(240.0, 900.0), (400.0, 1000.0)];
 
 /// A part of the joint with its steel.
-struct Part<'a> {
-    name: &'static str,
+struct Piece<'a> {
+    part: Part,
     thickness: f64,
     steel: &'a Strength,
     welded: bool,
@@ -41,22 +41,22 @@ pub(super) fn outside_range(e: &EndPlate) -> Vec<Check> {
 }
 
 /// The parts of a joint.
-fn parts(e: &EndPlate) -> Vec<Part<'_>> {
-    let part = |name, thickness, steel, welded| Part { name, thickness, steel, welded };
+fn parts(e: &EndPlate) -> Vec<Piece<'_>> {
+    let piece = |part, thickness, steel, welded| Piece { part, thickness, steel, welded };
     let (b, steel) = (&e.beam, &e.beam_steel);
     let mut out = vec![
-        part("end plate", e.thickness, &e.plate_steel, true),
-        part("beam flange", b.tf, steel, true),
-        part("beam web", b.tw, steel, true),
-        part("rib", e.rib, steel, true),
+        piece(Part::EndPlate, e.thickness, &e.plate_steel, true),
+        piece(Part::BeamFlange, b.tf, steel, true),
+        piece(Part::BeamWeb, b.tw, steel, true),
+        piece(Part::Rib, e.rib, steel, true),
     ];
     if let Some(c) = &e.column {
         let (stiffened, doubled) = (c.stiffener > 0.0, c.doubler > 0.0);
         out.extend([
-            part("column flange", c.section.tf, &c.steel, stiffened),
-            part("column web", c.section.tw, &c.steel, stiffened || doubled),
-            part("column stiffener", c.stiffener, &c.steel, true),
-            part("web doubler", c.doubler, &c.steel, true),
+            piece(Part::ColumnFlange, c.section.tf, &c.steel, stiffened),
+            piece(Part::ColumnWeb, c.section.tw, &c.steel, stiffened || doubled),
+            piece(Part::Stiffener, c.stiffener, &c.steel, true),
+            piece(Part::Doubler, c.doubler, &c.steel, true),
         ]);
     }
     out.retain(|p| p.thickness > 0.0);
@@ -65,31 +65,32 @@ fn parts(e: &EndPlate) -> Vec<Part<'_>> {
 
 fn undecided(
     topic: Topic,
-    subject: &str,
+    subject: impl Into<Subject>,
     clause: &str,
     why: impl Into<Derivation>,
     step: &str,
 ) -> Check {
-    Check::undecided(topic, subject, clause, TITLE, why, step)
+    Check::undecided(topic, subject, clause, CheckId::OutsideRange, why, step)
 }
 
 /// Steels above S460, each once.
-fn steels(parts: &[Part<'_>]) -> Vec<Check> {
-    let mut strong: Vec<&Part<'_>> = Vec::new();
+fn steels(parts: &[Piece<'_>]) -> Vec<Check> {
+    let mut strong: Vec<&Piece<'_>> = Vec::new();
     for p in parts {
         let known = strong.iter().any(|q| q.steel.grade == p.steel.grade);
         if !known && !within(p.steel.fy.mpa().max(named(&p.steel.grade)), STRONGEST) {
             strong.push(p);
         }
     }
-    let check = |p: &Part<'_>| {
+    let check = |p: &Piece<'_>| {
         let why = format!(
             "{} of {} is a steel above S460: EN 1993-1-12 has further rules for it, which are not \
              in this edition",
-            p.name, p.steel.grade
+            p.part.words(),
+            p.steel.grade
         );
         let step = "a steel up to S460, or a check of the joint by EN 1993-1-12";
-        undecided(Topic::Detailing, p.name, "EN 1993-1-8:2005 1.1(1)", why, step)
+        undecided(Topic::Detailing, p.part, "EN 1993-1-8:2005 1.1(1)", why, step)
     };
     strong.into_iter().map(check).collect()
 }
@@ -103,8 +104,8 @@ fn named(grade: &str) -> f64 {
 }
 
 /// Parts that are too thin for the rules of sections or of welds.
-fn thicknesses(parts: &[Part<'_>]) -> Vec<Check> {
-    let check = |p: &Part<'_>| {
+fn thicknesses(parts: &[Piece<'_>]) -> Vec<Check> {
+    let check = |p: &Piece<'_>| {
         let below = |least: f64| {
             let limit = Formula::new("", Traced::from(least), Unit::Length);
             let (symbol, relation) = ("t".into(), Relation::Below);
@@ -120,7 +121,7 @@ fn thicknesses(parts: &[Part<'_>]) -> Vec<Check> {
             return None;
         };
         let step = "a thicker part, or a check by EN 1993-1-3";
-        Some(undecided(topic, p.name, clause, why, step))
+        Some(undecided(topic, p.part, clause, why, step))
     };
     parts.iter().filter_map(check).collect()
 }
@@ -138,9 +139,8 @@ fn bolt_grade(e: &EndPlate) -> Option<Check> {
             Unit::Stress.show(g.fub),
             g.grade
         );
-        let subject = format!("{} {}", e.bolt.size, g.grade);
         let clause = "EN 1993-1-8:2005 3.1.1(3), Table 3.1";
-        undecided(Topic::Bolts, &subject, clause, why, "a grade of Table 3.1")
+        undecided(Topic::Bolts, bolt(e), clause, why, "a grade of Table 3.1")
     })
 }
 
@@ -156,6 +156,6 @@ fn holes(e: &EndPlate) -> Option<Check> {
         );
         let clause = format!("{CLEARANCES}, EN 1993-1-8:2005 3.6.1(4)");
         let step = "a hole of at most that size (`parameters.hole_clearance`)";
-        undecided(Topic::Detailing, "holes", &clause, why, step)
+        undecided(Topic::Detailing, Part::Holes, &clause, why, step)
     })
 }

@@ -3,12 +3,12 @@
 
 use super::clamped_plates::clamped;
 use super::national_annex;
-use super::sense::Sense;
 use crate::check::{Check, Status, within};
 use crate::component_method::equilibrium::SMALL_AXIAL;
 use crate::ductility::{Clamped, plastic_distribution, rotation_capacity};
 use crate::eurocode::yielding::plastic;
 use crate::formula::{Derivation, Formula, Line, Number, Relation, Traced};
+use crate::subject::{Part, Sense};
 use crate::unit::Unit;
 use bracket_joint::assembly::EndPlate;
 
@@ -19,16 +19,16 @@ const EN_6_4_2_STEELS: [&str; 3] = ["S235", "S275", "S355"];
 pub(super) struct SenseLimits {
     /// Sense of bending.
     pub sense: Sense,
-    /// Parts whose bending limits a row: `end plate`, `column flange`.
-    pub bending: Vec<&'static str>,
+    /// Parts whose bending limits a row: end plate, column flange.
+    pub bending: Vec<Part>,
     /// Whether the column web panel limits the joint and can rotate (6.4.2(1)).
     pub panel_turns: bool,
 }
 
 /// The rules for one part, by its dimensions alone.
 struct PartRules {
-    /// `end plate` or `column flange`.
-    part: &'static str,
+    /// End plate or column flange.
+    part: Part,
     /// EN 1993-1-8 6.4.2(2).
     by_code: Check,
     /// NA.2.7 of the UK annex; `None` with any other annex.
@@ -48,7 +48,7 @@ pub(super) struct RotationRules {
 impl RotationRules {
     /// The rules for an end plate.
     pub fn new(e: &EndPlate) -> Self {
-        let rules = |(part, c): (&'static str, Clamped)| PartRules {
+        let rules = |(part, c): (Part, Clamped)| PartRules {
             part,
             by_code: rotation_capacity(part, &c),
             by_annex: national_annex::is_uk(e).then(|| plastic_distribution(part, &c)),
@@ -57,7 +57,7 @@ impl RotationRules {
     }
 
     /// Whether a rule holds where the bending of these parts limits a row.
-    fn hold(&self, bending: &[&str]) -> bool {
+    fn hold(&self, bending: &[Part]) -> bool {
         self.parts.iter().any(|p| {
             let by_code = self.not_covered.is_none() && bending.contains(&p.part);
             let by_annex = p.by_annex.as_ref().is_some_and(|c| c.status == Status::Ok);
@@ -84,11 +84,11 @@ impl RotationRules {
 
     /// The rules as checks. A rule of 6.4.2 that does not apply is a warning with the reason.
     pub fn checks(&self, limits: &[SenseLimits]) -> Vec<Check> {
-        let bends = |part: &str| limits.iter().any(|l| l.bending.contains(&part));
+        let bends = |part: Part| limits.iter().any(|l| l.bending.contains(&part));
         let rules = |p: &PartRules| {
             let mut by_code = p.by_code.clone();
             let no_row = || {
-                let words = || format!("bending of the {} limits no row", p.part).into();
+                let words = || format!("bending of the {} limits no row", p.part.words()).into();
                 (!bends(p.part)).then(words)
             };
             if let Some(why) = self.not_covered.clone().or_else(no_row) {

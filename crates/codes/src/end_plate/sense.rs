@@ -1,55 +1,8 @@
-//! Sense of bending of a joint.
+//! Senses of bending of a joint under its load cases.
 
 use super::transformation::beta;
-use crate::component_method::joint::EndPlateJoint;
-use bracket_joint::assembly::{EndPlate, Way};
-
-/// Side of the beam that a moment puts in tension.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Sense {
-    /// Tension at the top.
-    Top,
-    /// Tension at the bottom.
-    Bottom,
-}
-
-impl Sense {
-    /// The sense as a report prints it.
-    pub fn words(self) -> &'static str {
-        match self {
-            Sense::Top => "tension at the top",
-            Sense::Bottom => "tension at the bottom",
-        }
-    }
-
-    /// The joint turned so that its tension is at the top.
-    pub fn of(self, joint: &EndPlateJoint) -> EndPlateJoint {
-        match self {
-            Sense::Top => joint.clone(),
-            Sense::Bottom => joint.mirrored(),
-        }
-    }
-
-    /// Flange of the beam in tension.
-    pub fn pulled(self) -> Way {
-        if self == Sense::Top { Way::Up } else { Way::Down }
-    }
-
-    /// Flange of the beam in compression.
-    pub fn compressed(self) -> Way {
-        if self == Sense::Top { Way::Down } else { Way::Up }
-    }
-
-    /// Sense of a moment My of a member end; positive: tension at the top.
-    pub fn of_moment(my: f64) -> Self {
-        if my < 0.0 { Sense::Bottom } else { Sense::Top }
-    }
-
-    /// Converts z of the turned joint to the axes of the spec, and back.
-    pub fn z(self, z: f64) -> f64 {
-        if self == Sense::Bottom { -z } else { z }
-    }
-}
+use crate::subject::Sense;
+use bracket_joint::assembly::EndPlate;
 
 /// Senses of bending of the load cases with their β.
 pub(super) fn bent(e: &EndPlate) -> Vec<(Sense, f64)> {

@@ -10,12 +10,13 @@ use super::member_end::{LoadedEnd, MemberEnd};
 use super::transformation::{beta, other_ends};
 use super::weld_lengths;
 use super::welded_steel;
-use crate::check::{Check, Status, Topic, Unit, largest, within};
+use crate::check::{Check, CheckId, Status, Topic, Unit, largest, within};
 use crate::component_method::assembly::Group;
 use crate::component_method::column_web::compressed_thickness;
-use crate::component_method::{Assessment, Summed, assess};
+use crate::component_method::{Assessment, ComponentKind, Summed, assess};
 use crate::eurocode::welds::{LineForce, either_method, full_strength_throat, least_size};
 use crate::formula::{Derivation, Formula, Number, Traced};
+use crate::subject::{Part, Place, Subject};
 use crate::worked::Worked;
 use bracket_joint::assembly::{ColumnSide, EndPlate, Way};
 use std::f64::consts::SQRT_2;
@@ -51,8 +52,8 @@ impl Stiffeners<'_> {
 
 /// Force of a pair of stiffeners beside the web \[N\].
 struct Share {
-    /// `compressed stiffeners` or `stiffeners in tension`.
-    side: &'static str,
+    /// Compressed stiffeners or stiffeners in tension.
+    side: Part,
     /// Flange of the beam that they are level with.
     level: Way,
     /// Force of the stiffeners on both sides of the web.
@@ -76,7 +77,7 @@ pub(super) fn stiffeners(loaded: &LoadedEnd<'_>) -> Vec<Check> {
     let mut without = component_joint(e, beta);
     without.column.iter_mut().for_each(|c| c.stiffener = 0.0);
     // the tables covered the joint with stiffeners, so they cover it without them
-    let Ok(bare) = assess(&loaded.end.sense.of(&without)) else { return Vec::new() };
+    let Ok(bare) = assess(&without.turned(loaded.end.sense)) else { return Vec::new() };
     let s = Stiffeners { c, gamma_m0: e.factors.gamma_m0 };
     let doublers = without.column.as_ref().map_or(0, |c| c.doublers);
     let mut out = Vec::new();
@@ -117,16 +118,16 @@ fn compression(
         * s.yield_strength()
         / s.gamma_m0();
     let both = alone + s.resistance();
-    let title = "crushing of the column web with the net section of its stiffeners";
+    let id = CheckId::StiffenedWebCrushing;
     let clause = "EN 1993-1-8:2005 6.2.6.2(4), SCI P398";
-    let worked = Worked::of(clause, title, "F_Rd", both.clone(), Unit::Force)
+    let worked = Worked::of(clause, id, "F_Rd", both.clone(), Unit::Force)
         .with("b_eff", width, Unit::Length)
         .with("ω", omega, Unit::Number);
-    let place = loaded.place("compressed stiffeners");
+    let place = loaded.place(Part::CompressedStiffeners);
     let check = worked.against(Topic::Member, place, loaded.push, Status::Failed);
     let force = s.resistance() / both * Traced::force("F_c,Ed", loaded.push);
     let level = loaded.end.sense.compressed();
-    Some((check, Share { side: "compressed stiffeners", level, force }))
+    Some((check, Share { side: Part::CompressedStiffeners, level, force }))
 }
 
 /// Net section of the stiffeners at the flange in tension, under the rows above and below: the
@@ -149,9 +150,9 @@ fn tension(
     let near: Vec<usize> = above.into_iter().chain(below).collect();
     let (first, last) = (*near.first()?, *near.last()?);
     let web = if first == last {
-        bare.rows.get(last)?.alone.iter().find(|k| k.name == "column web")?
+        bare.rows.get(last)?.alone.iter().find(|k| k.kind == ComponentKind::ColumnWeb)?
     } else {
-        let of = |g: &&Group| g.first == first && g.component.name == "column web";
+        let of = |g: &&Group| g.first == first && g.component.kind == ComponentKind::ColumnWeb;
         &bare.rows.get(last)?.groups.iter().find(of)?.component
     };
     let m = 0.5 * (e.gauge - c.section.tw) - HINGE * c.section.r;
@@ -166,17 +167,17 @@ fn tension(
     let of_web = Traced::force("F_t,wc,Rd", web.worked.value);
     let force = (Traced::series(pull) - of_web).max(Traced::series(bent));
     let demand = force.value();
-    let title = "net section of the stiffeners in tension";
+    let id = CheckId::StiffenersInTension;
     let clause = "EN 1993-1-8:2005 6.2.6.3, SCI P398";
-    let mut worked = Worked::of(clause, title, "F_Rd", s.resistance(), Unit::Force)
+    let mut worked = Worked::of(clause, id, "F_Rd", s.resistance(), Unit::Force)
         .after(Formula::new("F_Ed", force.clone(), Unit::Force));
     if let Some(width) = web.worked.step("b_eff") {
         worked = worked.with("b_eff of the web", width, Unit::Length);
     }
-    let place = loaded.place("stiffeners in tension");
+    let place = loaded.place(Part::StiffenersInTension);
     let check = worked.against(Topic::Member, place, demand, Status::Failed);
     let level = loaded.end.sense.pulled();
-    Some((check, Share { side: "stiffeners in tension", level, force }))
+    Some((check, Share { side: Part::StiffenersInTension, level, force }))
 }
 
 /// Width of one stiffener in contact with the flange of the column \[mm\].
@@ -198,7 +199,7 @@ pub(super) fn least_sizes(e: &EndPlate) -> Vec<Check> {
     if c.stiffener > 0.0 && c.stiffener_throat > 0.0 {
         let [flange, web] = seam_lengths(e, c);
         let shorter = flange.value.min(web.value);
-        out.extend(least_size("column stiffeners", c.stiffener_throat, shorter));
+        out.extend(least_size(Part::Stiffeners, c.stiffener_throat, shorter));
     }
     out.extend(doubler_throat(c));
     out
@@ -210,9 +211,9 @@ pub(super) fn least_sizes(e: &EndPlate) -> Vec<Check> {
 /// EN 1993-1-8:2005 6.2.6.3: fillet welds with a ≥ t_s/√2.
 fn doubler_throat(c: &ColumnSide) -> Option<Check> {
     let counts = c.doubler > 0.0 && c.doubler_throat > 0.0 && doubler_fault(c).is_none();
-    let what = ("EN 1993-1-8:2005 6.2.6.3", "throat of the welds of a web doubler");
+    let what = ("EN 1993-1-8:2005 6.2.6.3", CheckId::DoublerThroat);
     let rule = Traced::length("t_s", c.doubler) / Traced::from(2.0).sqrt();
-    let (topic, throat) = ((Topic::Welds, "web doubler"), c.doubler_throat);
+    let (topic, throat) = ((Topic::Welds, Part::Doubler), c.doubler_throat);
     counts.then(|| Check::at_least(topic, what, "a", rule, throat, Status::Failed))
 }
 
@@ -238,7 +239,7 @@ fn stiffener_welds(
     let full = full_strength_throat(c.stiffener, c.steel.fy, s.gamma_m0, &steel);
     let seams = |share: &Share| 2.0 * seams(e, c, share.level);
     // compared as forces, so that welds without any effective length fail
-    let all = |count: f64, (force, before): (f64, Derivation), across: bool, place: String| {
+    let all = |count: f64, (force, before): (f64, Derivation), across: bool, place: Subject| {
         let length = if across { &flange } else { &web };
         let l = length.value.max(0.0);
         let line = if l > 0.0 { force / (count * l) } else { 0.0 };
@@ -248,8 +249,8 @@ fn stiffener_welds(
         };
         let each = either_method(line, a, &steel);
         let value = Traced::from(count) * weld_lengths::counted(length) * each.traced();
-        let title = "fillet welds of the column stiffeners";
-        let mut worked = Worked::of(each.clause, title, "F_Rd", value, Unit::Force)
+        let id = CheckId::StiffenerWelds;
+        let mut worked = Worked::of(each.clause, id, "F_Rd", value, Unit::Force)
             .after(before.then(length.clone()).followed_by(each.derivation));
         // full strength by a weld on either side of each stiffener
         let both_sides = across && l > 0.0 && within(4.0, count);
@@ -260,7 +261,7 @@ fn stiffener_welds(
         worked.against(Topic::Welds, place, force, Status::Failed)
     };
     for share in shares {
-        let place = loaded.place(&format!("{} to the column flange", share.side));
+        let place = loaded.place(Place::Seam { of: share.side, to: Part::ColumnFlange });
         let force = share.brought(s);
         out.push(all(seams(share), (force.value, force.into()), true, place));
     }
@@ -268,7 +269,7 @@ fn stiffener_welds(
     if let Some(share) = largest(shares, |s| s.force.value() / seams(s)) {
         let force = Traced::force("F", share.brought(s).value);
         let force = Formula::new("F_Ed", Traced::number("β", beta) * force, Unit::Force);
-        let place = loaded.place(&format!("{} to the column web", share.side));
+        let place = loaded.place(Place::Seam { of: share.side, to: Part::ColumnWeb });
         out.push(all(seams(share), (force.value, force.into()), false, place));
     }
     out
@@ -294,7 +295,7 @@ pub(super) fn doubler_welds(end: &MemberEnd<'_>) -> Vec<Check> {
     let counts =
         |c: &&ColumnSide| c.doubler > 0.0 && c.doubler_throat > 0.0 && doubler_fault(c).is_none();
     let Some(c) = e.column.as_ref().filter(counts) else { return out };
-    let (subject, a) = (format!("{}, web doubler", end.a.end), c.doubler_throat);
+    let (subject, a) = (Subject::end(&end.a.end).and(Part::Doubler), c.doubler_throat);
     let (Some(steel), Some(panel)) = (welded_steel::of_the_column(e, c), &end.assessment.panel)
     else {
         return out;
@@ -314,7 +315,7 @@ pub(super) fn doubler_welds(end: &MemberEnd<'_>) -> Vec<Check> {
     let line = LineForce { across: 0.0, along: demand };
     let worked = Worked {
         clause: "EN 1993-1-8:2005 6.2.6.1, 4.5.3.3",
-        title: "shear flow in the welds of a web doubler",
+        id: CheckId::DoublerWelds,
         ..either_method(line, a, &steel).after(panel.derivation.then(flow))
     };
     out.push(worked.against(Topic::Welds, subject, demand, Status::Failed));
@@ -328,7 +329,7 @@ pub(super) fn doubler_welds(end: &MemberEnd<'_>) -> Vec<Check> {
 pub(super) fn rib_weld(e: &EndPlate) -> Option<Check> {
     let steel = welded_steel::of_the_beam(e).filter(|_| e.rib > 0.0 && e.rib_throat > 0.0)?;
     let full = full_strength_throat(e.rib, e.beam_steel.fy, e.factors.gamma_m0, &steel);
-    let what = ("EN 1993-1-8:2005 4.5.3.2(6)", "throat of welds as strong as the rib");
+    let what = ("EN 1993-1-8:2005 4.5.3.2(6)", CheckId::RibThroat);
     let rule = welded_steel::full_throat(&full);
-    Some(Check::at_least((Topic::Welds, "rib"), what, "a", rule, e.rib_throat, Status::Failed))
+    Some(Check::at_least((Topic::Welds, Part::Rib), what, "a", rule, e.rib_throat, Status::Failed))
 }

@@ -3,11 +3,11 @@
 use super::bolt_checks::bolt_tension;
 use super::bolt_rows::from_top;
 use super::component_joint::component_joint;
-use super::sense::Sense;
-use crate::check::{Check, Topic, Unit};
+use crate::check::{Check, CheckId, Topic, Unit};
 use crate::component_method::assembly::RowForce;
 use crate::component_method::{Assessment, assess};
 use crate::formula::{Number, Traced};
+use crate::subject::{Part, Sense};
 use crate::worked::Worked;
 use bracket_joint::assembly::EndPlate;
 
@@ -32,7 +32,7 @@ pub(super) fn tying(e: &EndPlate) -> Option<Check> {
     (j.gamma_m0, j.gamma_m1) = (GAMMA_MU, GAMMA_MU);
     j.bolts.tension = bolt_tension(e, GAMMA_MU);
     let of = |sense: Sense| {
-        let found = assess(&sense.of(&j)).ok()?;
+        let found = assess(&j.turned(sense)).ok()?;
         Some(forces(&found).into_iter().map(|(z, force)| (sense.z(z), force)).collect::<Vec<_>>())
     };
     let both = [of(Sense::Top)?, of(Sense::Bottom)?];
@@ -53,10 +53,10 @@ pub(super) fn tying(e: &EndPlate) -> Option<Check> {
     if !value.value().is_finite() {
         return None;
     }
-    let title = "tying resistance, without welds";
+    let id = CheckId::Tying;
     let clause = "EN 1991-1-7:2006 A.5, SCI P358";
-    let worked = Worked::of(clause, title, "N_Rd,u", value, Unit::Force);
-    Some(worked.information(Topic::Member, "end plate"))
+    let worked = Worked::of(clause, id, "N_Rd,u", value, Unit::Force);
+    Some(worked.information(Topic::Member, Part::EndPlate))
 }
 
 /// z and force of the rows \[mm, N\], limited by each row alone and by the groups.

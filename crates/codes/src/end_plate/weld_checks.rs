@@ -5,23 +5,23 @@ use super::loaded_welds::{
     YIELDS, flange_lever, flange_resistance, flange_strength, web_strength, yielding_part,
 };
 use super::member_end::LoadedEnd;
-use super::sense::Sense;
 use super::weld_lengths;
 use super::welded_steel;
-use crate::check::{Check, Status, Topic, Unit, largest, number as n, within};
-use crate::component_method::Assessment;
+use crate::check::{Check, CheckId, Status, Topic, Unit, largest, within};
+use crate::component_method::{Assessment, ComponentKind};
 use crate::eurocode::welds::{
     ThroatStress, WeldedSteel, directional, full_strength_throat, least_size,
 };
 use crate::eurocode::yielding::plastic;
 use crate::formula::{Derivation, Formula, Line, Number, Traced};
+use crate::subject::{Frame, Part, Place, Sense, Subject};
 use crate::worked::Worked;
 use bracket_joint::assembly::EndPlate;
 
 /// Throats of double fillet welds that are as strong as flange and web of the beam.
 pub(super) fn full_strength_throats(e: &EndPlate) -> Vec<Check> {
     let Some(steel) = welded_steel::of_the_beam(e) else { return Vec::new() };
-    [("beam flange", e.beam.tf), ("beam web", e.beam.tw)]
+    [(Part::BeamFlange, e.beam.tf), (Part::BeamWeb, e.beam.tw)]
         .into_iter()
         .map(|(part, t)| {
             full_strength_throat(t, e.beam_steel.fy, e.factors.gamma_m0, &steel)
@@ -33,7 +33,7 @@ pub(super) fn full_strength_throats(e: &EndPlate) -> Vec<Check> {
 /// Least throats and lengths of the welds of the beam, which no load changes.
 pub(super) fn least_sizes(e: &EndPlate) -> Vec<Check> {
     let (flange, web) = (weld_lengths::shortest_of_flange(e), weld_lengths::web(e).value);
-    let welds = [("beam flange", e.flange_throat, flange), ("beam web", e.web_throat, web)];
+    let welds = [(Part::BeamFlange, e.flange_throat, flange), (Part::BeamWeb, e.web_throat, web)];
     let fillets = welds.into_iter().filter(|(_, throat, _)| *throat > 0.0);
     fillets.flat_map(|(part, throat, length)| least_size(part, throat, length)).collect()
 }
@@ -55,7 +55,7 @@ fn stretches(a: &Assessment, run: f64) -> Vec<Stretch> {
     for (last, row) in a.rows.iter().enumerate() {
         let alone = row.alone.iter().map(|c| (last, c));
         let all = alone.chain(row.groups.iter().map(|g| (g.first, &g.component)));
-        let web = all.filter(|(_, c)| c.name == "beam web");
+        let web = all.filter(|(_, c)| c.kind == ComponentKind::BeamWeb);
         out.extend(web.filter_map(|(first, c)| {
             Some(Stretch { first, last, width: c.worked.step("b_eff")?.min(run) })
         }));
@@ -134,15 +134,15 @@ pub(super) fn tension_zone(loaded: &LoadedEnd<'_>) -> Option<Check> {
     let (e, assessment) = (loaded.end.e, &loaded.end.assessment);
     let vz = loaded.end.a.at(1.0)[0][2];
     let (stretch, mut worked) = web_welds(e, assessment, |r| loaded.row_force(r), vz.abs())?;
-    worked.title = "web weld beside the rows in tension, directional method";
-    let place = loaded.place(&format!("beam web, {}", loaded.rows(stretch.first, stretch.last)));
+    worked.id = CheckId::WebWeldBesideRows;
+    let place = loaded.place(Part::BeamWeb).and(loaded.rows(stretch.first, stretch.last));
     Some(worked.utilised(Topic::Welds, place, Status::Failed))
 }
 
 /// Clause of the rule that welds do not limit a joint.
 const NOT_THE_WEAKEST: &str = "EN 1993-1-8:2005 6.2.3(4)";
 /// Factors α on M_j,Rd where a plastic hinge rotates in the joint: with bracing, without.
-const OVERSTRENGTH: [(f64, &str); 2] = [(1.4, "braced frame"), (1.7, "other frames")];
+const OVERSTRENGTH: [(f64, Frame); 2] = [(1.4, Frame::Braced), (1.7, Frame::Unbraced)];
 /// M_j,Rd/M_pl,Rd of the beam from which the plastic hinge forms in the beam, 6.4.1(1).
 const HINGE_IN_BEAM: f64 = 1.2;
 
@@ -155,7 +155,7 @@ const HINGE_IN_BEAM: f64 = 1.2;
 /// EN 1993-1-8:2005 6.2.3(4) and (5); 4.7.1(1) for butt welds.
 pub(super) fn not_the_weakest(
     e: &EndPlate,
-    subject: &str,
+    subject: &Subject,
     sense: Sense,
     a: &Assessment,
 ) -> Vec<Check> {
@@ -166,46 +166,48 @@ pub(super) fn not_the_weakest(
     out.extend(of_the_flange(e, subject, a, otherwise));
     if e.web_throat == 0.0 {
         let words = "full penetration: as strong as the web (4.7.1), it limits no row";
-        let (title, unit) = ("web weld no weaker than the rows in tension", Unit::ForcePerLength);
-        let worked = Worked::of(NOT_THE_WEAKEST, title, "F_w,Rd", web_strength(e), unit);
+        let (id, unit) = (CheckId::WebWeldNotWeakest, Unit::ForcePerLength);
+        let worked = Worked::of(NOT_THE_WEAKEST, id, "F_w,Rd", web_strength(e), unit);
         let worked = worked.after(words);
-        out.push(worked.information(Topic::Welds, format!("beam web, {subject}")));
+        out.push(
+            worked.information(Topic::Welds, Subject::from(Part::BeamWeb).and(subject.clone())),
+        );
     }
     // every row at its resistance, without shear force
     let full = |r: usize| a.rows.get(r).map_or(0.0, |row| row.force);
     if let Some((stretch, mut worked)) = web_welds(e, a, full, 0.0) {
         worked.clause = NOT_THE_WEAKEST;
-        worked.title = "web weld no weaker than the rows in tension";
+        worked.id = CheckId::WebWeldNotWeakest;
         let each = a.rows.get(stretch.first..=stretch.last).unwrap_or_default().iter();
-        let each: Vec<String> = each.map(|r| n(sense.z(r.z))).collect();
-        let place = format!("beam web, {subject}, z = {} mm", each.join(" and "));
+        let heights = Place::Heights(each.map(|r| sense.z(r.z)).collect());
+        let place = Subject::from(Part::BeamWeb).and(subject.clone()).and(heights);
         out.push(worked.utilised(Topic::Welds, place, otherwise));
     }
     out
 }
 
 /// The part of [`not_the_weakest`] for the welds of the flange in tension.
-fn of_the_flange(e: &EndPlate, subject: &str, a: &Assessment, otherwise: Status) -> Vec<Check> {
-    let place = format!("beam flange, {subject}");
+fn of_the_flange(e: &EndPlate, subject: &Subject, a: &Assessment, otherwise: Status) -> Vec<Check> {
+    let place = Subject::from(Part::BeamFlange).and(subject.clone());
     let joint = a.moment.value;
-    let title = "flange weld no weaker than the joint";
+    let id = CheckId::FlangeWeldNotWeakest;
     if e.flange_throat == 0.0 {
         let words = "full penetration: as strong as the flange (4.7.1), it limits no joint";
-        let worked = Worked::of(NOT_THE_WEAKEST, title, "F_Rd", flange_strength(e), Unit::Force)
-            .after(words);
+        let worked =
+            Worked::of(NOT_THE_WEAKEST, id, "F_Rd", flange_strength(e), Unit::Force).after(words);
         return vec![worked.information(Topic::Welds, place)];
     }
     let Some(welds) = flange_resistance(e, NOT_THE_WEAKEST) else { return Vec::new() };
-    let check = |clause, title, (moment, words): (Traced, Option<&str>), otherwise| {
+    let check = |clause, id, (moment, words): (Traced, Option<&str>), otherwise| {
         let pull = (moment / flange_lever(e)).min(flange_strength(e));
         let demand = pull.value();
         let before = words.into_iter().fold(Derivation::default(), Derivation::then);
         let before = before.then(Formula::new("F_Ed", pull, Unit::Force));
-        let worked = Worked { clause, title, ..welds.clone().after(before) };
+        let worked = Worked { clause, id, ..welds.clone().after(before) };
         worked.against(Topic::Welds, place.clone(), demand, otherwise)
     };
     let of_joint = Traced::symbol("M_j,Rd", joint, Unit::Moment);
-    let mut out = vec![check(NOT_THE_WEAKEST, title, (of_joint.clone(), None), otherwise)];
+    let mut out = vec![check(NOT_THE_WEAKEST, id, (of_joint.clone(), None), otherwise)];
     let plastic = plastic(1e3 * e.beam.w_pl_y, e.beam_steel.fy.mpa(), e.factors.gamma_m0);
     // no hinge rotates in the joint where the beam yields first, or in a sense that no load case
     // has
@@ -215,11 +217,11 @@ fn of_the_flange(e: &EndPlate, subject: &str, a: &Assessment, otherwise: Status)
         return out;
     }
     for (alpha, frame) in OVERSTRENGTH {
-        let title = "flange weld where a plastic hinge turns in the joint";
+        let id = CheckId::FlangeWeldOfHinge;
         let of_beam = Traced::symbol("M_pl,Rd", plastic, Unit::Moment);
         let moment = (Traced::from(alpha) * of_joint.clone()).min(of_beam);
-        let of = (moment, Some(frame));
-        out.push(check("EN 1993-1-8:2005 6.2.3(5)", title, of, Status::Warning));
+        let of = (moment, Some(frame.words()));
+        out.push(check("EN 1993-1-8:2005 6.2.3(5)", id, of, Status::Warning));
     }
     out
 }

@@ -1,7 +1,8 @@
 //! Effective lengths of fillet welds: one rule for all welds, by `welds.ends` of the spec.
 
-use crate::check::{Check, Topic, Unit};
+use crate::check::{Check, CheckId, Topic, Unit};
 use crate::formula::{Formula, Number, Traced};
+use crate::subject::Part;
 use bracket_joint::assembly::EndPlate;
 use bracket_joint::spec::welds::WeldEnds;
 
@@ -86,6 +87,6 @@ pub(super) fn rule(e: &EndPlate) -> Option<Check> {
              (welds.ends: all_round)"
         }
     };
-    let (clause, title) = ("EN 1993-1-8:2005 4.5.1(1)", "effective length of fillet welds");
-    Some(Check::assumption(Topic::Welds, "welds", clause, title, words))
+    let (clause, id) = ("EN 1993-1-8:2005 4.5.1(1)", CheckId::WeldLengths);
+    Some(Check::assumption(Topic::Welds, Part::Welds, clause, id, words))
 }

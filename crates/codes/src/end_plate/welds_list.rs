@@ -1,7 +1,7 @@
 //! The welds of a joint: seams with their throats and lengths.
 
 use super::parts_list::DENSITY;
-use bracket_joint::assembly::{Content, EndPlate};
+use bracket_joint::assembly::{Content, EndPlate, Facts};
 
 /// Equal seams of a joint. Lengths in mm.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,8 +27,11 @@ impl WeldItem {
 
 /// The welds of a joint: those that the hand checks know, in the order of the parts, then those of
 /// further parts as the geometry has them.
-pub fn welds_list(e: Option<&EndPlate>, joint: &Content) -> Vec<WeldItem> {
-    let mut out = e.map_or_else(Vec::new, |e| of_end_plate(e, joint.end_plates()));
+pub fn welds_list(facts: Option<&Facts>, joint: &Content) -> Vec<WeldItem> {
+    let mut out = match facts {
+        Some(Facts::EndPlate(e)) => of_end_plate(e, joint.end_plates()),
+        None => Vec::new(),
+    };
     out.extend(joint.seams.iter().map(|s| {
         let [a, b] = &s.between;
         WeldItem {

@@ -1,5 +1,6 @@
 //! Bearing of plates against bolts: EN 1993-1-8:2005 Table 3.4.
 
+use crate::check::CheckId;
 use crate::formula::{Number, Traced};
 use crate::unit::Unit;
 use crate::worked::Worked;
@@ -84,8 +85,8 @@ impl Bearing {
         let value = factors * alpha_b.clone() * f_u * d * t / gamma;
         // below the least distances of Table 3.3 the factors can turn negative
         let value = if value.value() >= 0.0 { value } else { value.max(n(0.0)) };
-        let title = "bearing resistance at a bolt";
-        Worked::of("EN 1993-1-8:2005 Table 3.4", title, "F_b,Rd", value, Unit::Force)
+        let id = CheckId::BearingResistance;
+        Worked::of("EN 1993-1-8:2005 Table 3.4", id, "F_b,Rd", value, Unit::Force)
             .with_symbols([&alpha_d, &alpha_b, &k1])
     }
 }

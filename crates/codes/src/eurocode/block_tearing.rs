@@ -1,6 +1,7 @@
 //! Block tearing: EN 1993-1-8:2005 3.10.2.
 
 use super::yielding::in_shear;
+use crate::check::CheckId;
 use crate::formula::Traced;
 use crate::unit::Unit;
 use crate::worked::Worked;
@@ -37,7 +38,7 @@ impl Blocks {
         let [f_u, f_y] = [("f_u", self.fu), ("f_y", self.fy)].map(|(f, v)| Traced::stress(f, v));
         let [m0, m2] = [("γ_M0", gamma_m0), ("γ_M2", gamma_m2)].map(|(g, v)| Traced::number(g, v));
         let value = f_u * a_nt.clone() / m2 + in_shear(f_y * a_nv.clone(), m0);
-        let (clause, title) = ("EN 1993-1-8:2005 3.10.2(2)", "block tearing");
-        Worked::of(clause, title, "V_eff,1,Rd", value, Unit::Force).with_symbols([&a_nt, &a_nv])
+        let (clause, id) = ("EN 1993-1-8:2005 3.10.2(2)", CheckId::BlockTearing);
+        Worked::of(clause, id, "V_eff,1,Rd", value, Unit::Force).with_symbols([&a_nt, &a_nv])
     }
 }

@@ -1,7 +1,8 @@
 //! Length of a bolt for the thickness that it clamps.
 
-use crate::check::{Check, Status, Topic, within};
+use crate::check::{Check, CheckId, Status, Topic, within};
 use crate::formula::Traced;
+use crate::subject::Subject;
 use crate::unit::Unit;
 use crate::worked::Worked;
 use bracket_joint::catalog::BoltSize;
@@ -33,7 +34,7 @@ pub fn least_length(bolt: &BoltSize, grip: f64, washers: u32) -> Worked {
     let washers = Traced::number("n_w", f64::from(washers)) * length("t_w", bolt.washer_thickness);
     let (nut, pitch) = (length("nut", bolt.nut_height), length("pitch", bolt.pitch));
     let value = length("grip", grip) + washers + nut + pitch;
-    Worked::of("EN 1090-2 8.2.2", "least length of the bolt", "l", value, Unit::Length)
+    Worked::of("EN 1090-2 8.2.2", CheckId::BoltLength, "l", value, Unit::Length)
 }
 
 /// The shortest stocked length that suffices \[mm\]; `None` beyond the longest.
@@ -61,12 +62,18 @@ pub fn thread_length(bolt: &BoltSize, length: f64) -> f64 {
 /// # Source
 /// EN 1090-2 8.2.2: one full thread at least stays free between the bearing face of the nut and the
 /// unthreaded shank.
-pub fn shank_check(subject: &str, bolt: &BoltSize, length: f64, grip: f64, washers: u32) -> Check {
+pub fn shank_check(
+    subject: Subject,
+    bolt: &BoltSize,
+    length: f64,
+    grip: f64,
+    washers: u32,
+) -> Check {
     let [l, b] = [("l", length), ("b", thread_length(bolt, length))];
     let rule =
         Traced::length(l.0, l.1) - Traced::length(b.0, b.1) + Traced::length("pitch", bolt.pitch);
     let clamped = grip + f64::from(washers) * bolt.washer_thickness;
-    let title = ("EN 1090-2 8.2.2", "free thread under the nut");
+    let what = ("EN 1090-2 8.2.2", CheckId::FreeThread);
     let of = (Topic::Detailing, subject);
-    Check::at_least(of, title, "grip + washers", rule, clamped, Status::Failed)
+    Check::at_least(of, what, "grip + washers", rule, clamped, Status::Failed)
 }

@@ -1,5 +1,6 @@
 //! Tension and shear of single bolts: EN 1993-1-8:2005 Table 3.4.
 
+use crate::check::CheckId;
 use crate::formula::{Number, Traced};
 use crate::unit::Unit;
 use crate::worked::Worked;
@@ -55,15 +56,15 @@ pub fn tension_resistance(bolt: &BoltSize, grade: &BoltGrade, gamma_m2: f64) -> 
     let (k2, a_s) = (Traced::number("k2", K2), Traced::area("A_s", bolt.stress_area));
     let (f_ub, gamma) = (Traced::stress("f_ub", grade.fub), Traced::number("γ_M2", gamma_m2));
     let value = f_t_rd(k2.clone(), f_ub, a_s.clone(), gamma);
-    let title = "tension resistance of a bolt";
-    Worked::of("EN 1993-1-8:2005 Table 3.4", title, "F_t,Rd", value, Unit::Force)
+    let id = CheckId::BoltTensionResistance;
+    Worked::of("EN 1993-1-8:2005 Table 3.4", id, "F_t,Rd", value, Unit::Force)
         .with_symbols([&k2, &a_s])
 }
 
 /// [`beta_lf`] of a joint.
 pub fn long_joint(length: f64, d: f64) -> Worked {
     let value = beta_lf(Traced::length("L_j", length), Traced::length("d", d));
-    Worked::of("EN 1993-1-8:2005 3.8(1)", "long joint", "β_Lf", value, Unit::Number)
+    Worked::of("EN 1993-1-8:2005 3.8(1)", CheckId::LongJoint, "β_Lf", value, Unit::Number)
 }
 
 /// [`f_v_rd`] of a bolt.
@@ -72,7 +73,7 @@ pub fn shear_resistance(bolt: &BoltSize, grade: &BoltGrade, gamma_m2: f64) -> Wo
     let a_s = Traced::area("A_s", bolt.stress_area);
     let (f_ub, gamma) = (Traced::stress("f_ub", grade.fub), Traced::number("γ_M2", gamma_m2));
     let value = f_v_rd(alpha_v.clone(), f_ub, a_s.clone(), gamma);
-    let title = "shear resistance of a bolt, per plane";
-    Worked::of("EN 1993-1-8:2005 Table 3.4", title, "F_v,Rd", value, Unit::Force)
+    let id = CheckId::BoltShearResistance;
+    Worked::of("EN 1993-1-8:2005 Table 3.4", id, "F_v,Rd", value, Unit::Force)
         .with_symbols([&alpha_v, &a_s])
 }

@@ -1,5 +1,6 @@
 //! Shear and tension together: EN 1993-1-8:2005 Table 3.4.
 
+use crate::check::CheckId;
 use crate::formula::{Number, Traced};
 use crate::unit::Unit;
 use crate::worked::Worked;
@@ -29,7 +30,7 @@ pub fn utilisation(f: &Forces) -> Worked {
     let t = Traced::force("F_t,Ed", f.tension) / Traced::force("F_t,Rd", f.tension_resistance);
     let used = [("F_v,Ed/F_v,Rd", v.value()), ("F_t,Ed/F_t,Rd", t.value())];
     let value = (v + t.clone() / Traced::from(1.4)).max(t);
-    let title = "shear and tension of a bolt";
-    let worked = Worked::of("EN 1993-1-8:2005 Table 3.4", title, "", value, Unit::Number);
+    let id = CheckId::BoltShearAndTension;
+    let worked = Worked::of("EN 1993-1-8:2005 Table 3.4", id, "", value, Unit::Number);
     used.into_iter().fold(worked, |w, (symbol, value)| w.with(symbol, value, Unit::Number))
 }

@@ -1,5 +1,6 @@
 //! Punching of a bolt head or nut through a plate: EN 1993-1-8:2005 Table 3.4.
 
+use crate::check::CheckId;
 use crate::formula::Traced;
 use crate::unit::Unit;
 use crate::worked::Worked;
@@ -27,7 +28,6 @@ pub fn punching_resistance(dm: f64, thickness: f64, fu: f64, gamma_m2: f64) -> W
     let (d_m, t_p) = (Traced::length("d_m", dm), Traced::length("t_p", thickness));
     let (f_u, gamma) = (Traced::stress("f_u", fu), Traced::number("γ_M2", gamma_m2));
     let value = Traced::from(0.6) * Traced::number("π", PI) * d_m.clone() * t_p * f_u / gamma;
-    let title = "punching resistance at a bolt";
-    Worked::of("EN 1993-1-8:2005 Table 3.4", title, "B_p,Rd", value, Unit::Force)
-        .with_symbols([&d_m])
+    let id = CheckId::PunchingResistance;
+    Worked::of("EN 1993-1-8:2005 Table 3.4", id, "B_p,Rd", value, Unit::Force).with_symbols([&d_m])
 }

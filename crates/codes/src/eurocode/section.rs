@@ -3,7 +3,7 @@
 
 use super::i_section::Section;
 use super::yielding::{in_shear, plastic, plastic_shear, yield_strength};
-use crate::check::within;
+use crate::check::{CheckId, within};
 use crate::error::CheckError;
 use crate::formula::{Number, Traced};
 use crate::unit::{Unit, number as n};
@@ -118,7 +118,7 @@ impl CrossSection {
     /// # Source
     /// EN 1993-1-1:2005 6.2.6(2) and (3)a, η = 1.
     pub fn shear(&self) -> Worked {
-        self.plastic_shear("shear of the beam", self.section.shear_area())
+        self.plastic_shear(CheckId::BeamShear, self.section.shear_area())
     }
 
     /// Plastic shear resistance across the web, along the flanges \[N\]: A_v = A − h_w t_w.
@@ -127,15 +127,15 @@ impl CrossSection {
     /// EN 1993-1-1:2005 6.2.6(3)e.
     pub fn shear_across(&self) -> Worked {
         self.plastic_shear(
-            "shear of the beam along its flanges",
+            CheckId::BeamShearAcross,
             self.section.area - self.section.web_depth() * self.section.tw,
         )
     }
 
-    fn plastic_shear(&self, title: &'static str, area: f64) -> Worked {
+    fn plastic_shear(&self, id: CheckId, area: f64) -> Worked {
         let a_v = Traced::area("A_v", area);
         let value = plastic_shear(a_v.clone(), self.f_y(), self.gamma_m0());
-        Worked::of("EN 1993-1-1:2005 6.2.6(2)", title, "V_pl,Rd", value, Unit::Force)
+        Worked::of("EN 1993-1-1:2005 6.2.6(2)", id, "V_pl,Rd", value, Unit::Force)
             .with_symbols([&a_v])
     }
 
@@ -153,8 +153,8 @@ impl CrossSection {
     /// EN 1993-1-1:2005 6.2.3(2), 6.2.4(2).
     pub fn axial(&self) -> Worked {
         let value = plastic(Traced::area("A", self.section.area), self.f_y(), self.gamma_m0());
-        let (clause, title) = ("EN 1993-1-1:2005 6.2.3(2), 6.2.4(2)", "axial force of the beam");
-        Worked::of(clause, title, "N_pl,Rd", value, Unit::Force)
+        let (clause, id) = ("EN 1993-1-1:2005 6.2.3(2), 6.2.4(2)", CheckId::BeamAxial);
+        Worked::of(clause, id, "N_pl,Rd", value, Unit::Force)
     }
 
     /// h_w/t_w of the web, and the greatest value that needs no check of shear buckling, `72 ε/η`
@@ -178,8 +178,8 @@ impl CrossSection {
         let gamma = Traced::number("γ_M1", gamma_m1);
         let (h_w, t_w) = (Traced::length("h_w", depth), Traced::length("t_w", web));
         let value = in_shear(Traced::number("χ_w", chi) * h_w * t_w * self.f_y(), gamma);
-        let title = "shear buckling of the beam web, h_w/t_w > 72 ε";
-        Worked::of("EN 1993-1-5:2006 5.2", title, "V_bw,Rd", value, Unit::Force).with(
+        let id = CheckId::BeamShearBuckling;
+        Worked::of("EN 1993-1-5:2006 5.2", id, "V_bw,Rd", value, Unit::Force).with(
             "λ̄_w",
             lambda,
             Unit::Number,
@@ -234,10 +234,12 @@ impl CrossSection {
                 });
             }
         };
-        let title = "moment of the beam with its shear and axial force";
-        Ok(Worked::of(clause, title, "M_Rd", value, Unit::Moment)
-            .with("ρ", rho, Unit::Number)
-            .with("reduction for N", part, Unit::Number))
+        let id = CheckId::BeamMoment;
+        Ok(Worked::of(clause, id, "M_Rd", value, Unit::Moment).with("ρ", rho, Unit::Number).with(
+            "reduction for N",
+            part,
+            Unit::Number,
+        ))
     }
 
     /// Plastic moment beside a shear force.

@@ -1,5 +1,6 @@
 //! Preload and slip: EN 1993-1-8:2005 3.9.
 
+use crate::check::CheckId;
 use crate::formula::{Number, Traced};
 use crate::unit::Unit;
 use crate::worked::Worked;
@@ -37,8 +38,8 @@ impl SlipHole {
 pub fn preload(bolt: &BoltSize, grade: &BoltGrade) -> Worked {
     let (f_ub, a_s) = (Traced::stress("f_ub", grade.fub), Traced::area("A_s", bolt.stress_area));
     let value = Traced::from(0.7) * f_ub * a_s;
-    let (clause, title) = ("EN 1993-1-8:2005 3.9.1(2)", "preload of a bolt");
-    Worked::of(clause, title, "F_p,C", value, Unit::Force)
+    let (clause, id) = ("EN 1993-1-8:2005 3.9.1(2)", CheckId::Preload);
+    Worked::of(clause, id, "F_p,C", value, Unit::Force)
 }
 
 /// Design slip resistance of one preloaded bolt \[N\], under a tension `tension` ≥ 0 \[N\] of the
@@ -69,6 +70,5 @@ pub fn slip_resistance(
         (left, "EN 1993-1-8:2005 3.9.2(1)")
     };
     let value = k_s.clone() * n * mu * clamp / Traced::number(gamma.0, gamma.1);
-    Worked::of(clause, "slip resistance of a bolt", "F_s,Rd", value, Unit::Force)
-        .with_symbols([&k_s])
+    Worked::of(clause, CheckId::SlipResistance, "F_s,Rd", value, Unit::Force).with_symbols([&k_s])
 }

@@ -1,7 +1,8 @@
 //! Spacing, end and edge distances: EN 1993-1-8:2005 Table 3.3; room for tools and washers.
 
-use crate::check::{Check, Status, Topic};
+use crate::check::{Check, CheckId, Status, Topic};
 use crate::formula::{Number, Traced};
+use crate::subject::{Part, Subject};
 
 const TABLE: &str = "EN 1993-1-8:2005 Table 3.3";
 /// In place of a clause: the room that a socket wrench needs.
@@ -33,33 +34,36 @@ pub struct Pattern {
 ///
 /// # Source
 /// EN 1993-1-8:2005 Table 3.3.
-pub fn pattern_checks(subject: &str, p: &Pattern) -> Vec<Check> {
-    let what = (Topic::Detailing, subject);
-    let least = |title: &str, symbol: &'static str, factor: f64, provided: f64| {
+pub fn pattern_checks(part: Part, p: &Pattern) -> Vec<Check> {
+    let what = (Topic::Detailing, part);
+    let least = |id, symbol: &'static str, factor: f64, provided: f64| {
         let rule = Traced::from(factor) * Traced::length("d0", p.d0);
-        Check::at_least(what, (TABLE, title), symbol, rule, provided, Status::Failed)
+        Check::at_least(what, (TABLE, id), symbol, rule, provided, Status::Failed)
     };
-    let most = |title: &str, symbol: &'static str, allowed: &Traced, provided: f64| {
+    let most = |id, symbol: &'static str, allowed: &Traced, provided: f64| {
         let allowed = allowed.clone();
-        Check::at_most(what, (TABLE, title), symbol, allowed, provided, Status::Warning)
+        Check::at_most(what, (TABLE, id), symbol, allowed, provided, Status::Warning)
     };
     let (t, n) = (|| Traced::length("t", p.thickness), Traced::from);
     let edge = &(n(4.0) * t() + n(40.0));
     let pitch = &(n(14.0) * t()).min(n(200.0));
     let mut out = Vec::new();
-    for (e, symbol, title) in [(p.e1, "e1", "end distance"), (p.e2, "e2", "edge distance")] {
+    for (e, symbol, id, exposed) in [
+        (p.e1, "e1", CheckId::EndDistance, CheckId::EndDistanceExposed),
+        (p.e2, "e2", CheckId::EdgeDistance, CheckId::EdgeDistanceExposed),
+    ] {
         if let Some(e) = e {
-            out.push(least(title, symbol, 1.2, e));
-            out.push(most(&format!("{title}, exposed steel"), symbol, edge, e));
+            out.push(least(id, symbol, 1.2, e));
+            out.push(most(exposed, symbol, edge, e));
         }
     }
     if let Some([smallest, largest]) = p.p1 {
-        out.push(least("pitch of the rows", "p1", 2.2, smallest));
-        out.push(most("pitch of the rows, exposed or compressed steel", "p1", pitch, largest));
+        out.push(least(CheckId::PitchOfRows, "p1", 2.2, smallest));
+        out.push(most(CheckId::PitchOfRowsExposed, "p1", pitch, largest));
     }
     if let Some(p2) = p.p2 {
-        out.push(least("gauge of the bolt columns", "p2", 2.4, p2));
-        out.push(most("gauge of the bolt columns, exposed or compressed steel", "p2", pitch, p2));
+        out.push(least(CheckId::GaugeOfColumns, "p2", 2.4, p2));
+        out.push(most(CheckId::GaugeOfColumnsExposed, "p2", pitch, p2));
     }
     out
 }
@@ -68,10 +72,17 @@ pub fn pattern_checks(subject: &str, p: &Pattern) -> Vec<Check> {
 /// \[mm\].
 ///
 /// About `2 d + 5 mm`. No clause of the code: a shorter distance is a warning.
-pub fn wrench_check(subject: &str, distance: f64, d: f64) -> Check {
+pub fn wrench_check(subject: impl Into<Subject>, distance: f64, d: f64) -> Check {
     let what = (Topic::Detailing, subject);
     let rule = Traced::from(2.0) * Traced::length("d", d) + Traced::from(5.0);
-    Check::at_least(what, (PRACTICE, "spanner clearance"), "c", rule, distance, Status::Warning)
+    Check::at_least(
+        what,
+        (PRACTICE, CheckId::SpannerClearance),
+        "c",
+        rule,
+        distance,
+        Status::Warning,
+    )
 }
 
 /// Whether a washer of outer diameter `washer` bears on a plane surface: the distance of the bolt
@@ -79,9 +90,9 @@ pub fn wrench_check(subject: &str, distance: f64, d: f64) -> Check {
 ///
 /// Washers and nuts must bear on plane surfaces (EN 1090-2 8.2). Plain bolts in normal holes need
 /// no washers (8.2.4), so a shorter distance is a warning.
-pub fn washer_check(subject: &str, distance: f64, washer: f64, root: f64) -> Check {
-    let what = (Topic::Detailing, subject);
+pub fn washer_check(part: Part, distance: f64, washer: f64, root: f64) -> Check {
+    let what = (Topic::Detailing, part);
     let rule = Traced::length("r", root) + Traced::length("d_w", washer) / Traced::from(2.0);
-    let clear = ("EN 1090-2 8.2", "washer clear of the root fillet");
+    let clear = ("EN 1090-2 8.2", CheckId::WasherClearOfRoot);
     Check::at_least(what, clear, "c", rule, distance, Status::Warning)
 }

@@ -8,6 +8,7 @@ use super::spacing::{Pattern, pattern_checks, washer_check, wrench_check};
 use super::welds::{self, ThroatStress, WeldedSteel};
 use super::{bolt_length, interaction, punching};
 use crate::check::Status;
+use crate::subject::Part;
 use bracket_joint::catalog::{BoltGrade, BoltSize, Catalog};
 use bracket_joint::strength::Nominal;
 
@@ -159,12 +160,13 @@ fn table_3_3_least_and_greatest_distances() {
         p1: Some([44.0, 140.0]),
         p2: Some(48.0),
     };
-    let statuses =
-        |p: &Pattern| pattern_checks("plate", p).iter().map(|c| c.status).collect::<Vec<_>>();
+    let statuses = |p: &Pattern| {
+        pattern_checks(Part::EndPlate, p).iter().map(|c| c.status).collect::<Vec<_>>()
+    };
     assert!(
         statuses(&pattern).iter().all(|s| *s == Status::Ok),
         "{:#?}",
-        pattern_checks("plate", &pattern)
+        pattern_checks(Part::EndPlate, &pattern)
     );
     let failed = |p: Pattern| statuses(&p).iter().filter(|s| **s == Status::Failed).count();
     assert_eq!(failed(Pattern { e1: Some(23.9), ..pattern }), 1);
@@ -182,15 +184,15 @@ fn table_3_3_least_and_greatest_distances() {
     assert_eq!(statuses(&far).iter().filter(|s| **s == Status::Warning).count(), 4);
     assert_eq!(failed(far), 0);
     let alone = Pattern { e1: None, e2: None, p1: None, p2: None, ..pattern };
-    assert!(pattern_checks("plate", &alone).is_empty());
+    assert!(pattern_checks(Part::EndPlate, &alone).is_empty());
 }
 
 #[test]
 fn practice_room_for_wrench_and_washer() {
-    assert_eq!(wrench_check("row 1", 41.0, 18.0).status, Status::Ok);
-    assert_eq!(wrench_check("row 1", 40.9, 18.0).status, Status::Warning);
-    assert_eq!(washer_check("column", 35.0, 34.0, 18.0).status, Status::Ok);
-    assert_eq!(washer_check("column", 34.9, 34.0, 18.0).status, Status::Warning);
+    assert_eq!(wrench_check(Part::BoltRows, 41.0, 18.0).status, Status::Ok);
+    assert_eq!(wrench_check(Part::BoltRows, 40.9, 18.0).status, Status::Warning);
+    assert_eq!(washer_check(Part::ColumnFlange, 35.0, 34.0, 18.0).status, Status::Ok);
+    assert_eq!(washer_check(Part::ColumnFlange, 34.9, 34.0, 18.0).status, Status::Warning);
 }
 
 #[test]
@@ -207,8 +209,11 @@ fn en_1090_2_length_of_a_bolt() {
     }
     near(bolt_length::elongation_length(&b, 40.0, 2), 46.0 + 0.5 * (b.head_height + b.nut_height));
     // 70 mm long: 24 mm of shank and a pitch within 46 mm
-    assert_eq!(bolt_length::shank_check("bolt", &b, 70.0, 40.0, 2).status, Status::Ok);
-    assert_eq!(bolt_length::shank_check("bolt", &b, 120.0, 70.0, 1).status, Status::Failed);
+    assert_eq!(bolt_length::shank_check(Part::Bolts.into(), &b, 70.0, 40.0, 2).status, Status::Ok);
+    assert_eq!(
+        bolt_length::shank_check(Part::Bolts.into(), &b, 120.0, 70.0, 1).status,
+        Status::Failed
+    );
 }
 
 const S235: WeldedSteel = WeldedSteel { fu: Nominal::new(360.0), beta_w: 0.8, gamma_m2: 1.25 };
@@ -276,7 +281,7 @@ fn clause_4_5_3_2_full_strength_double_fillet() {
 
 #[test]
 fn clauses_4_5_1_and_4_5_2_sizes_of_welds() {
-    let statuses = |a, l| welds::least_size("weld", a, l).map(|c| c.status);
+    let statuses = |a, l| welds::least_size(Part::BeamWeb, a, l).map(|c| c.status);
     assert_eq!(statuses(3.0, 30.0), [Status::Ok, Status::Ok]);
     assert_eq!(statuses(2.9, 30.0), [Status::Failed, Status::Ok]);
     assert_eq!(statuses(6.0, 35.9), [Status::Ok, Status::Failed]);

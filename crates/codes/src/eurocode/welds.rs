@@ -1,7 +1,8 @@
 //! Fillet welds: EN 1993-1-8:2005 4.5.
 
-use crate::check::{Check, Status, Topic, within};
+use crate::check::{Check, CheckId, Status, Topic, within};
 use crate::formula::{Derivation, Formula, Number, Traced};
+use crate::subject::Part;
 use crate::unit::Unit;
 use crate::worked::Worked;
 use bracket_joint::strength::{Design, Nominal, WeldSteel};
@@ -48,8 +49,14 @@ pub fn directional(stress: &ThroatStress, steel: &WeldedSteel) -> Worked {
     let normal = n(0.9) * steel.f_u() / steel.gamma_m2();
     let numbers = [equivalent.value(), allowed.value(), normal.value()];
     let value = (equivalent.clone() / allowed).max(across.abs() / normal);
-    let worked = Worked::of("EN 1993-1-8:2005 4.5.3.2(6)", DIRECTIONAL, "", value, Unit::Number)
-        .after(Formula::new("σ_eq", equivalent, Unit::Stress));
+    let worked = Worked::of(
+        "EN 1993-1-8:2005 4.5.3.2(6)",
+        CheckId::WeldDirectional,
+        "",
+        value,
+        Unit::Number,
+    )
+    .after(Formula::new("σ_eq", equivalent, Unit::Stress));
     let symbols = ["σ_eq", "f_u/(β_w γ_M2)", "0.9 f_u/γ_M2"];
     let steps = symbols.into_iter().zip(numbers);
     steps.fold(worked, |w, (symbol, value)| w.with(symbol, value, Unit::Stress))
@@ -76,7 +83,13 @@ pub fn across_and_along(force: f64, length: f64, throat: f64, tau_par: f64) -> T
 /// EN 1993-1-8:2005 4.5.3.3(2) and (3), formulas 4.3 and 4.4.
 pub fn simplified(throat: f64, steel: &WeldedSteel) -> Worked {
     let value = steel.per_length(throat, 3.0);
-    Worked::of("EN 1993-1-8:2005 4.5.3.3", SIMPLIFIED, "F_w,Rd", value, Unit::ForcePerLength)
+    Worked::of(
+        "EN 1993-1-8:2005 4.5.3.3",
+        CheckId::WeldSimplified,
+        "F_w,Rd",
+        value,
+        Unit::ForcePerLength,
+    )
 }
 
 /// Design resistance of a fillet weld per length under a force across it by the directional method
@@ -89,8 +102,8 @@ pub fn simplified(throat: f64, steel: &WeldedSteel) -> Worked {
 /// EN 1993-1-8:2005 4.5.3.2(6); σ⊥ ≤ 0.9 f_u/γ_M2 never decides, because β_w ≥ 0.56.
 pub fn transverse(throat: f64, steel: &WeldedSteel) -> Worked {
     let value = steel.per_length(throat, 2.0);
-    let title = "fillet weld across the force, directional method";
-    Worked::of("EN 1993-1-8:2005 4.5.3.2(6)", title, "F_w,Rd", value, Unit::ForcePerLength)
+    let id = CheckId::WeldAcross;
+    Worked::of("EN 1993-1-8:2005 4.5.3.2(6)", id, "F_w,Rd", value, Unit::ForcePerLength)
 }
 
 /// Design resistance of a fillet weld per length, `a f_u/(√n β_w γ_M2)` \[N/mm\]: n = 3 in shear, 2
@@ -142,11 +155,6 @@ impl LineForce {
     }
 }
 
-/// Title of a fillet weld that the simplified method decides.
-pub const SIMPLIFIED: &str = "fillet weld, simplified method";
-/// Title of a fillet weld that the directional method decides, because the simplified one fails.
-pub const DIRECTIONAL: &str = "fillet weld, directional method";
-
 /// Design resistance of a fillet weld per length against the resultant of a force \[N/mm\], by
 /// either method: the simplified one where it suffices, else the directional one. The formula has
 /// both.
@@ -175,10 +183,10 @@ pub fn either_method(force: LineForce, throat: f64, steel: &WeldedSteel) -> Work
         let formula = Formula { value, ..Formula::new("F_w,Rd", of, Unit::ForcePerLength) };
         Worked { value, derivation: formula.into(), ..transverse(throat, steel) }
     };
-    let (title, value, clause) = if within(resultant, plain.value) {
-        (SIMPLIFIED, plain.value, "EN 1993-1-8:2005 4.5.3.3")
+    let (id, value, clause) = if within(resultant, plain.value) {
+        (CheckId::WeldSimplified, plain.value, "EN 1993-1-8:2005 4.5.3.3")
     } else {
-        (DIRECTIONAL, by_direction.value, "EN 1993-1-8:2005 4.5.3.2(6)")
+        (CheckId::WeldDirectional, by_direction.value, "EN 1993-1-8:2005 4.5.3.2(6)")
     };
     let both = [("F_w,Rd, 4.5.3.3", plain.value), ("F_w,Rd, 4.5.3.2", by_direction.value)];
     let derivation = Derivation::from("4.5.3.3:")
@@ -186,7 +194,7 @@ pub fn either_method(force: LineForce, throat: f64, steel: &WeldedSteel) -> Work
         .then("4.5.3.2:")
         .followed_by(by_direction.derivation);
     let (steps, unit) = (Vec::new(), Unit::ForcePerLength);
-    let worked = Worked { clause, title, derivation, steps, value, unit };
+    let worked = Worked { clause, id, derivation, steps, value, unit };
     both.into_iter().fold(worked, |w, (symbol, value)| w.with(symbol, value, Unit::ForcePerLength))
 }
 
@@ -207,18 +215,18 @@ pub fn full_strength_throat(
     let (t, f_y) = (Traced::length("t", thickness), Traced::stress("f_y", fy.mpa()));
     let value = t * f_y / Traced::number("γ_M0", gamma_m0) * steel.beta_w() * steel.gamma_m2()
         / (Traced::from(2.0).sqrt() * steel.f_u());
-    let title = "throat of a double fillet weld of full strength";
-    Worked::of("EN 1993-1-8:2005 4.5.3.2(6)", title, "a", value, Unit::Length)
+    let id = CheckId::ThroatFullStrength;
+    Worked::of("EN 1993-1-8:2005 4.5.3.2(6)", id, "a", value, Unit::Length)
 }
 
 /// Least throat and least effective length of a fillet weld.
 ///
 /// # Source
 /// EN 1993-1-8:2005 4.5.2(2): a ≥ 3 mm; 4.5.1(2): l_eff ≥ max(30 mm, 6 a).
-pub fn least_size(subject: &str, throat: f64, effective_length: f64) -> [Check; 2] {
-    let of = (Topic::Welds, subject);
-    let least = ("EN 1993-1-8:2005 4.5.2(2)", "least throat");
-    let length = ("EN 1993-1-8:2005 4.5.1(2)", "least effective length");
+pub fn least_size(part: Part, throat: f64, effective_length: f64) -> [Check; 2] {
+    let of = (Topic::Welds, part);
+    let least = ("EN 1993-1-8:2005 4.5.2(2)", CheckId::LeastThroat);
+    let length = ("EN 1993-1-8:2005 4.5.1(2)", CheckId::LeastWeldLength);
     let shortest = (Traced::from(6.0) * Traced::length("a", throat)).max(Traced::from(30.0));
     [
         Check::at_least(of, least, "a", LEAST_THROAT, throat, Status::Failed),

@@ -1,11 +1,15 @@
 use super::*;
-use crate::Unit;
 use crate::Worked;
 use crate::formula::Traced;
+use crate::subject::Part;
+use crate::{CheckId, Topic, Unit};
 
 fn check(topic: Topic, value: f64, case: Option<&str>) -> Check {
-    let c = Worked::of("6.2", "share", "u", Traced::from(value), Unit::Number);
-    let c = c.utilised(topic, "row", Status::Failed);
+    let c = Worked::of("6.2", CheckId::MomentAndAxial, "u", Traced::from(value), Unit::Number);
+    let mut c = c.utilised(topic, Part::BoltRows, Status::Failed);
+    if topic == Topic::ComponentMethod {
+        c = c.of_strength();
+    }
     Check { case: case.map(Into::into), ..c }
 }
 
@@ -115,11 +119,21 @@ fn what_is_missing_is_named_with_what_would_supply_it() {
         assert!(line.starts_with("verdict: UNDECIDED (by code none"), "{line}");
         assert!(words.iter().all(|w| line.contains(w)), "{line}");
     }
-    let unknown =
-        Check::undecided(Topic::Stability, "panel", "6.2.6.1(1)", "slender", "69", "a thick web")
-            .of_case("A");
+    let unknown = Check::undecided(
+        Topic::Stability,
+        Part::Panel,
+        "6.2.6.1(1)",
+        CheckId::Unseen,
+        "69",
+        "a thick web",
+    )
+    .of_case("A");
     let line = of(std::slice::from_ref(&unknown), cut("A"));
-    for words in ["slender, panel (6.2.6.1(1)): 69; ", "what would decide it: a thick web", lacks] {
+    for words in [
+        "stability that a limit analysis does not see, column web panel (6.2.6.1(1)): 69; ",
+        "what would decide it: a thick web",
+        lacks,
+    ] {
         assert!(line.contains(words), "{line}");
     }
     let checks = [check(Topic::Bolts, 0.9, Some("A")), check(Topic::Bolts, 0.4, Some("B"))];
@@ -135,9 +149,15 @@ fn what_is_missing_is_named_with_what_would_supply_it() {
 fn no_bracket_overrules_what_limit_analysis_does_not_know() {
     let over = [check(Topic::ComponentMethod, 1.05, Some("A"))];
     assert_eq!(verdicts(&over, &["A"], Fine), [NotOk, NotOk, Fine]);
-    let unknown =
-        Check::undecided(Topic::Stability, "panel", "6.2.6.1(1)", "slender", "69", "a web")
-            .of_case("A");
+    let unknown = Check::undecided(
+        Topic::Stability,
+        Part::Panel,
+        "6.2.6.1(1)",
+        CheckId::Unseen,
+        "69",
+        "a web",
+    )
+    .of_case("A");
     assert_eq!(
         verdicts(std::slice::from_ref(&unknown), &["A"], Fine),
         [Undecided, Undecided, Fine]
@@ -147,9 +167,16 @@ fn no_bracket_overrules_what_limit_analysis_does_not_know() {
         [NotOk, NotOk, Fine]
     );
     // a bracket does not replace the checks of a joint that the component method does not cover
-    let missing =
-        Check::undecided(Topic::ComponentMethod, "rows", "Table 6.6", "rows", "two outside", "one")
-            .of_case("A");
+    let missing = Check::undecided(
+        Topic::ComponentMethod,
+        Part::BoltRows,
+        "Table 6.6",
+        CheckId::MethodResistance,
+        "two outside",
+        "one",
+    )
+    .of_strength()
+    .of_case("A");
     assert_eq!(verdicts(&[missing], &[], Fine), [Undecided, Undecided, Fine]);
     // a distance that is too small fails without a load
     assert_eq!(verdicts(&[check(Topic::Detailing, 1.1, None)], &[], Fine), [NotOk, NotOk, Fine]);
@@ -198,7 +225,7 @@ fn the_last_line_names_what_governs() {
     let line = j.line(1, None);
     for words in [
         "verdict: NOT OK (by code NOT OK, by analysis OK)",
-        "B, share, row, utilisation 1.05 (6.2)",
+        "B, moment and axial force of the joint, bolt rows, utilisation 1.05 (6.2)",
         "exit code 1",
     ] {
         assert!(line.contains(words), "{line}");
@@ -218,15 +245,16 @@ fn the_last_line_names_what_governs() {
 /// A strength without a load case governs like any other; a length that is kept never does.
 #[test]
 fn a_check_without_a_load_case_governs_where_it_is_used_most() {
-    let throat = ((Topic::Welds, "beam web"), ("4.5.2", "throat"));
+    let throat = ((Topic::Welds, Part::BeamWeb), ("4.5.2", CheckId::LeastThroat));
     let kept = Check::at_least(throat.0, throat.1, "a", 5.0, 5.0, Status::Failed);
     let checks = [check(Topic::Bolts, 0.6, Some("A")), check(Topic::Welds, 0.9, None), kept];
     let j = judged(&checks, Analysed::not("A"));
     let governing = j.governing.expect("one governs");
     assert_eq!((governing.case, governing.utilisation), (None, Some([0.9, 0.9])));
     // a recommendation that is followed never governs
-    let advice = Worked::of("6.2.3(5)", "overstrength", "u", Traced::from(1.0), Unit::Number);
-    let advice = advice.utilised(Topic::Welds, "weld", Status::Warning);
+    let advice =
+        Worked::of("6.2.3(5)", CheckId::FlangeWeldOfHinge, "u", Traced::from(1.0), Unit::Number);
+    let advice = advice.utilised(Topic::Welds, Part::Welds, Status::Warning);
     let checks = [check(Topic::Bolts, 0.6, Some("A")), advice];
     let governing = judged(&checks, Analysed::not("A")).governing.expect("one governs");
     assert_eq!(governing.utilisation, Some([0.6, 0.6]));

@@ -7,9 +7,10 @@ use super::code_values::CodeValues;
 use super::column_span::column_span;
 use super::content::Content;
 use super::coverage;
-use super::end_plate::{EndPlate, end_plate};
+use super::end_plate::end_plate;
 use super::error::AssemblyError;
 use super::evaluate::{entry_fault, rules, within};
+use super::facts::Facts;
 use super::inputs::Inputs;
 use super::ledges;
 use super::member_ends;
@@ -39,8 +40,8 @@ pub struct Joint {
     /// Catalogue entries used, as role and name.
     pub catalogue: Vec<(String, String)>,
     /// Data of the connection for the hand checks, if the template gives them.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub end_plate: Option<EndPlate>,
+    #[serde(flatten)]
+    pub facts: Option<Facts>,
     /// Partial factors of the design code.
     pub factors: PartialFactors,
     /// Notes on the input that the report must contain.
@@ -177,7 +178,7 @@ pub fn build_from(
         assembly,
         resolved,
         catalogue: inputs.catalogue(),
-        end_plate,
+        facts: end_plate.map(Facts::EndPlate),
         factors: code.factors,
         notes: code
             .notes

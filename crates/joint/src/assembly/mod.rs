@@ -12,6 +12,7 @@ mod coverage;
 pub mod end_plate;
 pub mod error;
 mod evaluate;
+mod facts;
 mod given;
 pub mod inputs;
 pub mod joint;
@@ -37,6 +38,7 @@ pub use column_ends::{ColumnEnds, Way};
 pub use content::{Content, NotChecked};
 pub use end_plate::{ColumnSide, EndPlate, UnseenLoad};
 pub use error::AssemblyError;
+pub use facts::Facts;
 pub use joint::{Joint, LoadedTemplate, build, build_from, given_names, names};
 pub use small_actions::{Idle, Neglected};
 

@@ -336,9 +336,10 @@ fn further_legend(joint: &Content) -> Vec<String> {
 /// The joint as lines, an arrow for every positive action, and the values of the load cases.
 fn loads(e: &EndPlate) -> Drawing {
     let mut d = Drawing::default();
-    let ends: Vec<&str> = e.actions.iter().fold(Vec::new(), |mut ends, a| {
-        if !ends.contains(&a.end.as_str()) {
-            ends.push(&a.end);
+    let ends: Vec<(&str, f64)> = e.actions.iter().fold(Vec::new(), |mut ends, a| {
+        let end = (a.end.as_str(), a.outward);
+        if !ends.contains(&end) {
+            ends.push(end);
         }
         ends
     });
@@ -348,15 +349,13 @@ fn loads(e: &EndPlate) -> Drawing {
         d.rectangle(Pen::Edge, STEEL, [x - face, y - 95.0], [x + face, y + 95.0]);
         d.text([x, y + 112.0], Anchor::Middle, "column");
     }
-    let left_too = ends.iter().any(|e| e.contains("left")) || e.column.is_none();
+    let left_too = ends.iter().any(|(_, outward)| *outward < 0.0) || e.column.is_none();
     let sides: &[f64] = if left_too { &[1.0, -1.0] } else { &[1.0] };
     for &side in sides {
         let (plane, end) = (x + side * face, x + side * 190.0);
         d.rectangle(Pen::Edge, STEEL, [plane, y - 22.0], [end, y + 22.0]);
-        let name = if side > 0.0 { "right" } else { "left" };
-        let Some(end_name) =
-            ends.iter().find(|e| e.contains(name) || ends.len() == 1 && side > 0.0)
-        else {
+        let here = |(_, outward): &&(&str, f64)| *outward == side || ends.len() == 1 && side > 0.0;
+        let Some((end_name, _)) = ends.iter().find(here) else {
             continue;
         };
         d.text([x + side * 110.0, y + 38.0], Anchor::Middle, end_name);

@@ -5,6 +5,7 @@ pub mod canvas;
 pub mod contact_map;
 pub mod drawing;
 pub mod dxf;
+pub mod joint_drawings;
 pub mod legend;
 pub mod lettering;
 pub mod moment_axial;

@@ -7,10 +7,10 @@ use crate::markdown::report_data::PictureRef;
 use crate::result::case_result::CaseResult;
 use crate::result::quantity::{Quantity, Upper};
 use crate::result::result_file::ResultFile;
-use bracket_codes::Check;
 use bracket_codes::check::number;
-use bracket_codes::component_method::{INITIAL_STIFFNESS, MOMENT_RESISTANCE};
 use bracket_codes::end_plate::stiffness_class_limits;
+use bracket_codes::subject::Sense;
+use bracket_codes::{Check, CheckId};
 use bracket_joint::assembly::EndPlate;
 
 /// Exponent of μ for bolted end plates, EN 1993-1-8 Table 6.8.
@@ -43,12 +43,12 @@ impl Frame {
         Self { moments: moments.collect(), limits: limits.collect() }
     }
 
-    /// The largest demand in the sense of a curve.
-    fn largest(&self, sense: &str) -> Option<(&str, f64)> {
+    /// The largest demand in the sense of a curve; `None`: in both.
+    fn largest(&self, sense: Option<Sense>) -> Option<(&str, f64)> {
         let counts = |m: f64| match sense {
-            "tension at the top" => m > 0.0,
-            "tension at the bottom" => m < 0.0,
-            _ => m != 0.0,
+            Some(Sense::Top) => m > 0.0,
+            Some(Sense::Bottom) => m < 0.0,
+            None => m != 0.0,
         };
         let mine = self.moments.iter().filter(|(_, m)| counts(*m));
         let sizes = mine.map(|(name, m)| (name.as_str(), m.abs()));
@@ -62,9 +62,10 @@ enum Key {
     Area(&'static str),
 }
 
-/// The curve for one sense of bending.
+/// The curve for one sense of bending, or for both where they are equal.
 struct Curve {
-    sense: String,
+    /// `None`: both.
+    sense: Option<Sense>,
     /// M_j,Rd \[kN m\].
     resistance: f64,
     /// S_j,ini \[kN m/mrad\].
@@ -72,6 +73,10 @@ struct Curve {
 }
 
 impl Curve {
+    fn words(&self) -> &'static str {
+        self.sense.map_or("both senses of bending", Sense::words)
+    }
+
     /// Rotation \[mrad\] under a moment \[kN m\] up to M_j,Rd.
     ///
     /// # Source
@@ -91,22 +96,23 @@ impl Curve {
 
 /// The curves of both senses; one for both where they are equal.
 fn curves(checks: &[Check]) -> Vec<Curve> {
-    let value = |title: &str, sense: &str| {
-        Check::find(checks, title, sense)?.resistance.filter(|v| *v > 0.0)
+    let value = |id: CheckId, sense: Sense| {
+        Check::find(checks, id, &sense.into())?.resistance.filter(|v| *v > 0.0)
     };
     let mut out: Vec<Curve> = Vec::new();
-    for sense in ["tension at the top", "tension at the bottom"] {
-        let (Some(m), Some(s)) = (value(MOMENT_RESISTANCE, sense), value(INITIAL_STIFFNESS, sense))
+    for sense in [Sense::Top, Sense::Bottom] {
+        let (Some(m), Some(s)) =
+            (value(CheckId::MomentResistance, sense), value(CheckId::InitialStiffness, sense))
         else {
             continue;
         };
-        let curve = Curve { sense: sense.into(), resistance: 1e-6 * m, stiffness: 1e-9 * s };
+        let curve = Curve { sense: Some(sense), resistance: 1e-6 * m, stiffness: 1e-9 * s };
         let same = |c: &&mut Curve| {
             let near = |a: f64, b: f64| (a - b).abs() <= 1e-9 * a;
             near(c.resistance, curve.resistance) && near(c.stiffness, curve.stiffness)
         };
         match out.iter_mut().find(same) {
-            Some(c) => c.sense = "both senses of bending".into(),
+            Some(c) => c.sense = None,
             None => out.push(curve),
         }
     }
@@ -135,7 +141,7 @@ pub fn drawing(result: &ResultFile, frame: &Frame) -> Option<(PictureRef, String
     let bracket = result.cases.iter().find_map(|c| Some((c, resistance(c)?)));
     let ends = curves.iter().map(|c| [1.35 * c.rotation(c.resistance), c.resistance]);
     let mut largest = ends.fold([0.0f64; 2], |r, c| [r[0].max(c[0]), r[1].max(c[1])]);
-    let demands = curves.iter().filter_map(|c| Some((c, frame.largest(&c.sense)?)));
+    let demands = curves.iter().filter_map(|c| Some((c, frame.largest(c.sense)?)));
     let demands: Vec<(&Curve, (&str, f64))> = demands.collect();
     let moments = demands.iter().map(|(_, (_, m))| *m).chain(bracket.map(|(_, [_, up])| up));
     largest[1] = moments.fold(largest[1], f64::max);
@@ -166,7 +172,7 @@ pub fn drawing(result: &ResultFile, frame: &Frame) -> Option<(PictureRef, String
         let mut points: Vec<[f64; 2]> = curve.points().into_iter().map(|p| axes.at(p)).collect();
         points.push(axes.at([axes.reach()[0], curve.resistance]));
         points.windows(2).for_each(|w| d.line(pen, w[0], w[1]));
-        legend.push((format!("component method, {}", curve.sense), Key::Line(pen)));
+        legend.push((format!("component method, {}", curve.words()), Key::Line(pen)));
         let [x, y] = axes.at([curve.rotation(curve.resistance), curve.resistance]);
         d.circle(Pen::Edge, METHOD, [x, y], 3.0);
     }
@@ -223,7 +229,7 @@ mod tests {
     /// resistance the rotation is 1.5^2.7 ≈ 2.99 times the elastic one (Table 6.8).
     #[test]
     fn the_curve_bends_from_two_thirds_of_the_resistance() {
-        let curve = Curve { sense: String::new(), resistance: 90.0, stiffness: 20.0 };
+        let curve = Curve { sense: None, resistance: 90.0, stiffness: 20.0 };
         assert_eq!(curve.rotation(30.0), 1.5);
         assert_eq!(curve.rotation(60.0), 3.0);
         let ratio = curve.rotation(90.0) / 4.5;
@@ -239,9 +245,9 @@ mod tests {
         let moments = [("A", 30.0), ("B", -50.0), ("C", 40.0)];
         let frame =
             Frame { moments: moments.map(|(n, m)| (n.to_owned(), m)).into(), limits: Vec::new() };
-        assert_eq!(frame.largest("tension at the top"), Some(("C", 40.0)));
-        assert_eq!(frame.largest("tension at the bottom"), Some(("B", 50.0)));
-        assert_eq!(frame.largest("both senses of bending"), Some(("B", 50.0)));
-        assert_eq!(Frame::default().largest("both senses of bending"), None);
+        assert_eq!(frame.largest(Some(Sense::Top)), Some(("C", 40.0)));
+        assert_eq!(frame.largest(Some(Sense::Bottom)), Some(("B", 50.0)));
+        assert_eq!(frame.largest(None), Some(("B", 50.0)));
+        assert_eq!(Frame::default().largest(None), None);
     }
 }

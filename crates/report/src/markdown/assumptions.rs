@@ -28,8 +28,7 @@ pub(crate) fn assumptions(data: &ReportData) -> Vec<String> {
     if !kinds.is_empty() {
         out.extend(bounds);
     }
-    let butt = |row: &Vec<String>| row.iter().any(|cell| cell.contains("full penetration"));
-    if data.input.welds.rows.iter().any(butt) {
+    if data.input.butt_welds {
         out.push(
             "A weld without a throat in the spec counts as a full-penetration butt weld, as strong \
              as the thinner part."

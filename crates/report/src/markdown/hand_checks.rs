@@ -3,7 +3,7 @@
 use crate::markdown::markup::{bold, heading, inline, paragraph, strings, table};
 use crate::markdown::report_data::Table;
 use crate::summary::{EXCEEDED, used_words};
-use bracket_codes::{Check, Status, Step, Topic};
+use bracket_codes::{Binding, Check, Status, Step, Topic};
 
 /// The lines below the verdict: the checks that failed, and those that the code leaves undecided.
 pub(crate) fn failed(page: &mut String, checks: &[Check]) {
@@ -68,7 +68,7 @@ pub(crate) fn checks(page: &mut String, checks: &[Check]) {
         paragraph(page, &format!("**{title}.** {words}"));
         let decided = mine.iter().any(|c| c.utilisation.is_some());
         let rows = mine.iter().map(|c| {
-            let mut row = vec![place(c), c.title.clone(), formula(c), c.clause.clone()];
+            let mut row = vec![place(c), c.title.text(), formula(c), c.clause.clone()];
             if decided {
                 let used = used_words(c);
                 let word = status(c);
@@ -171,7 +171,7 @@ pub(crate) fn status(check: &Check) -> &'static str {
         Status::Ok => "OK",
         Status::Failed => "FAILED",
         Status::Undecided => "UNDECIDED",
-        Status::Warning if check.topic == Topic::ComponentMethod => EXCEEDED,
+        Status::Warning if check.binding == Binding::Strength => EXCEEDED,
         Status::Warning => "warning",
         Status::Information => "information",
     }

@@ -5,6 +5,7 @@ use crate::figures::{Rounding, fixed};
 use crate::markdown::hand_checks::value_of;
 use crate::markdown::markup::{bold, dash, heading, inline, paragraph, strings, table};
 use crate::markdown::report_data::Table;
+use bracket_codes::component_method::t_stub::Mode;
 use bracket_codes::end_plate::{LimitRecord, MethodRecord, RowRecord, StubRecord, WebRecord};
 
 /// The section of `report.md`: every sense of bending.
@@ -74,9 +75,8 @@ fn stubs(stubs: &[StubRecord]) -> Table {
             let all: Vec<String> = all.iter().map(|x| trimmed(*x, places)).collect();
             if all.is_empty() { dash() } else { all.join("/") }
         };
-        let mode = |name: &str| s.modes.iter().find(|m| m.0 == name).map(|m| force(m.1));
-        let one = mode("mode 1").or(mode("mode 1-2"));
-        let governs = s.mode.strip_prefix("mode ").unwrap_or(&s.mode);
+        let mode = |of: Mode| s.modes.iter().find(|m| m.0 == of).map(|m| force(m.1));
+        let one = mode(Mode::Flange).or(mode(Mode::FlangeWithoutPrying));
         let web = |of: fn(&WebRecord) -> String| s.web.as_ref().map_or_else(dash, of);
         vec![
             rows,
@@ -89,9 +89,9 @@ fn stubs(stubs: &[StubRecord]) -> Table {
             length(s.circular),
             length(s.straight),
             one.unwrap_or_else(dash),
-            mode("mode 2").unwrap_or_else(dash),
-            mode("mode 3").unwrap_or_else(dash),
-            governs.into(),
+            mode(Mode::FlangeAndBolts).unwrap_or_else(dash),
+            mode(Mode::Bolts).unwrap_or_else(dash),
+            s.mode.number().into(),
             web(|w| trimmed(w.omega, 4)),
             web(|w| force(w.resistance)),
         ]

@@ -44,6 +44,9 @@ pub struct InputFacts {
     /// Welds; empty if they are not known.
     #[serde(default)]
     pub welds: Table,
+    /// Whether one of them is a butt weld.
+    #[serde(default)]
+    pub butt_welds: bool,
     /// Supports of the model; empty if there are none.
     #[serde(default)]
     pub supports: Table,

@@ -27,6 +27,11 @@ pub fn schedule(items: &[PartItem]) -> Table {
     }
 }
 
+/// Whether one of the welds is a butt weld.
+pub fn has_butt_welds(items: &[WeldItem]) -> bool {
+    items.iter().any(|i| i.throat == 0.0)
+}
+
 /// The welds of a joint as a table.
 pub fn welds(items: &[WeldItem]) -> Table {
     let row = |i: &WeldItem| {

@@ -7,8 +7,8 @@ use crate::markdown::report_data::Table;
 use crate::result::result_file::CaseResult;
 use bracket_codes::JointStiffness;
 use bracket_codes::check::Unit;
-use bracket_codes::classification::Frame;
 use bracket_codes::end_plate::FrameClass;
+use bracket_codes::subject::Frame;
 
 /// A paragraph and a table of the classes.
 pub(crate) fn lines(page: &mut String, case: &CaseResult) {

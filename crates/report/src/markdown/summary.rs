@@ -34,16 +34,17 @@ pub(crate) fn table_of_checks(page: &mut String, result: &ResultFile) {
 mod tests {
     use super::*;
     use bracket_codes::formula::Traced;
+    use bracket_codes::subject::Part;
     use bracket_codes::verdict::Verdict;
-    use bracket_codes::{Check, Status, Topic, Unit, Worked};
+    use bracket_codes::{Check, CheckId, Status, Topic, Unit, Worked};
 
     /// The largest utilisation of a deciding check is bold. That of the component method is never
     /// bold, however large it is.
     #[test]
     fn what_governs_is_bold_and_information_never() {
         let check = |topic, value: f64, otherwise| {
-            Worked::of("6.2", "share", "u", Traced::from(value), Unit::Number)
-                .utilised(topic, "row", otherwise)
+            Worked::of("6.2", CheckId::MomentAndAxial, "u", Traced::from(value), Unit::Number)
+                .utilised(topic, Part::BoltRows, otherwise)
                 .of_case("ULS1")
         };
         // beside a limit analysis
@@ -70,7 +71,7 @@ mod tests {
         // a throat below its minimum governs; a throat above it does not, however close it is
         result.checks.pop();
         let throat = |a: f64, case: &str| {
-            let what = ((Topic::Welds, "beam web"), ("4.5.2", "least throat"));
+            let what = ((Topic::Welds, Part::BeamWeb), ("4.5.2", CheckId::LeastThroat));
             Check::at_least(what.0, what.1, "a", 3.0, a, Status::Failed).of_case(case)
         };
         result.checks.push(throat(3.1, "ULS1"));

@@ -4,9 +4,9 @@
 use crate::markdown::markup::{bold, inline, paragraph, strings, table};
 use crate::markdown::report_data::Table;
 use crate::result::result_file::ResultFile;
-use crate::summary::{EXCEEDED, LIMIT_ANALYSIS, SummaryRow, summary_rows};
+use crate::summary::{RowKind, SummaryRow, summary_rows};
 use bracket_codes::verdict::{Route, Verdict};
-use bracket_codes::{Judgement, Status, Topic};
+use bracket_codes::{Binding, Judgement, Status};
 
 /// The verdict and its basis.
 pub(crate) fn verdict(page: &mut String, result: &ResultFile) {
@@ -50,14 +50,14 @@ pub(crate) fn parts(j: &Judgement, result: &ResultFile) -> [(&'static str, Verdi
     let mut code = "binding checks of EN 1993; strength by the component method where no limit \
                     analysis decides"
         .to_string();
-    let binds = |r: &&SummaryRow| r.clause != LIMIT_ANALYSIS && r.governs_by.is_some();
+    let binds = |r: &&SummaryRow| r.kind != RowKind::Bracket && r.governs_by.is_some();
     let by = |r: &SummaryRow| r.governs_by.unwrap_or(0.0);
     let rows = summary_rows(result);
     let worst = rows.iter().filter(binds).reduce(|a, b| if by(b) > by(a) { b } else { a });
     if let Some(r) = worst.filter(|r| by(r).is_finite()) {
         code += &format!("; largest utilisation {}, {}", r.utilisation, r.check);
     }
-    let beside = rows.iter().filter(|r| r.status == EXCEEDED);
+    let beside = rows.iter().filter(|r| r.kind == RowKind::Exceeded);
     if let Some(r) = beside.max_by(|a, b| a.size.total_cmp(&b.size)) {
         code += &format!(
             "; beside the limit analysis, for information: the component method is exceeded, \
@@ -70,7 +70,7 @@ pub(crate) fn parts(j: &Judgement, result: &ResultFile) -> [(&'static str, Verdi
         _ => "strict bounds of limit analysis, the lower one without friction",
     }
     .to_string();
-    let bracket = rows.iter().filter(|r| r.clause == LIMIT_ANALYSIS && r.governs_by.is_some());
+    let bracket = rows.iter().filter(|r| r.kind == RowKind::Bracket && r.governs_by.is_some());
     if let Some(r) = bracket.reduce(|a, b| if by(b) > by(a) { b } else { a }) {
         analysis += &format!("; utilisation {}", r.utilisation);
     }
@@ -86,7 +86,7 @@ pub(crate) fn next_step(result: &ResultFile) -> Option<&'static str> {
     };
     let fails_only_by_method = || {
         let mut failed = result.checks.iter().filter(|c| c.status == Status::Failed);
-        failed.all(|c| c.topic == Topic::ComponentMethod)
+        failed.all(|c| c.binding == Binding::Strength)
     };
     let narrower = j.by_analysis == Verdict::Undecided && fails_only_by_method() && ruled();
     Some(match narrower {

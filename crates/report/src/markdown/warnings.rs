@@ -51,7 +51,7 @@ fn detailing(checks: &[Check]) -> Vec<String> {
     let sentence = |places: Vec<&Check>| {
         let worst = places.iter().copied().reduce(|a, b| if used(b) > used(a) { b } else { a })?;
         let rest = places.iter().filter(|c| c.subject != worst.subject);
-        let rest: Vec<&str> = rest.map(|c| c.subject.as_str()).collect();
+        let rest: Vec<String> = rest.map(|c| c.subject.text()).collect();
         let mut text = format!("detailing: {}", worst.sentence());
         if !rest.is_empty() {
             text += &format!("; less so at: {}", rest.join("; "));
@@ -65,15 +65,18 @@ fn detailing(checks: &[Check]) -> Vec<String> {
 mod tests {
     use super::*;
     use bracket_codes::eurocode::spacing::wrench_check;
+    use bracket_codes::subject::{Part, Place, Subject};
 
     /// An M24 joint whose rows, webs and stiffeners are all near to bolts breaks one rule of
     /// practice, not six.
     #[test]
     fn a_rule_is_one_warning_wherever_it_is_broken() {
         let check = |place, room| wrench_check(place, room, 24.0);
-        let places = [("row at z = 90 mm", 40.0), ("beam web", 30.0), ("column web", 45.0)];
+        let row = |z| Subject::from(Place::Rows(vec![z]));
+        let places =
+            [(row(90.0), 40.0), (Part::BeamWeb.into(), 30.0), (Part::ColumnWeb.into(), 45.0)];
         let mut checks: Vec<Check> = places.into_iter().map(|(p, room)| check(p, room)).collect();
-        checks.push(check("row at z = 10 mm", 80.0));
+        checks.push(check(row(10.0), 80.0));
         let said = detailing(&checks);
         assert_eq!(said.len(), 1, "{said:?}");
         assert_eq!(

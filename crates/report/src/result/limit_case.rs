@@ -70,22 +70,23 @@ fn unbounded(run: Option<&ProgramOutcome>) -> bool {
 
 /// Warnings of the programs: reasons why one of them gave no bound.
 fn program_warnings(pass: &LimitPass, problem: FrictionModel) -> Vec<String> {
-    let mut runs: Vec<(&str, &str, &ProgramOutcome)> = pass
-        .runs()
-        .map(|(p, run)| (p.name(), if p == Program::Static { "lower" } else { "upper" }, run))
-        .collect();
-    runs.extend(pass.frictionless_run.as_ref().map(|r| ("frictionless static", "lower", r)));
+    let runs = pass.runs().map(|(p, run)| {
+        let bound = if p == Program::Static { "lower" } else { "upper" };
+        (false, (p.name(), bound), run)
+    });
+    let without = pass.frictionless_run.as_ref();
+    let without = without.map(|run| (true, ("frictionless static", "lower"), run));
     let mut warnings: Vec<String> = Vec::new();
     let mut warn = |text: String| {
         if !warnings.contains(&text) {
             warnings.push(text);
         }
     };
-    for (name, bound, run) in runs {
+    for (frictionless, (name, bound), run) in runs.chain(without) {
         match run.status {
             _ if run.trouble.is_some() => warn(run_warning(name, bound, run).unwrap_or_default()),
             status if status.is_solution() => {}
-            SolveStatus::Infeasible if name == "frictionless static" => {
+            SolveStatus::Infeasible if frictionless => {
                 warn(format!(
                     "without friction {NO_LIMIT} (the solver says so, no certificate proves it)"
                 ));
@@ -96,7 +97,7 @@ fn program_warnings(pass: &LimitPass, problem: FrictionModel) -> Vec<String> {
             )),
             SolveStatus::Unbounded => {
                 let parts = run.mechanism.as_ref().map_or(String::new(), |m| format!(": {m}"));
-                let without = if name == "frictionless static" { "without friction " } else { "" };
+                let without = if frictionless { "without friction " } else { "" };
                 warn(format!(
                     "{without}the dead loads alone make it collapse{parts}; the load factor has \
                      no lower bound"

@@ -25,10 +25,9 @@ use crate::markdown::{
 use crate::result::result_file::{CaseResult, Quantity, ResultFile, Upper};
 use crate::summary::{SummaryRow, Tone, summary_rows, used_words};
 use crate::words::Words;
-use bracket_codes::component_method::{ELASTIC_STIFFNESS, INITIAL_STIFFNESS, MOMENT_RESISTANCE};
 use bracket_codes::end_plate::MethodRecord;
 use bracket_codes::verdict::Verdict;
-use bracket_codes::{Check, Status, Unit};
+use bracket_codes::{Check, CheckId, Status, Unit};
 use std::collections::BTreeSet;
 
 /// The sheet of a report.
@@ -79,17 +78,17 @@ fn joint_values(checks: &[Check]) -> Table {
     const COLUMNS: [&str; 4] =
         ["sense of bending", "moment resistance", "initial stiffness", "for elastic analysis"];
     let row = |moment: &Check| {
-        let value = |title: &str| {
-            let found = Check::find(checks, title, &moment.subject);
+        let value = |id: CheckId| {
+            let found = Check::find(checks, id, &moment.subject);
             let shown = found.and_then(|c| c.resistance.map(|v| c.unit.show(v)));
             shown.unwrap_or_else(|| "–".into())
         };
-        let titles = [MOMENT_RESISTANCE, INITIAL_STIFFNESS, ELASTIC_STIFFNESS];
-        std::iter::once(moment.subject.clone()).chain(titles.map(value)).collect()
+        let ids = [CheckId::MomentResistance, CheckId::InitialStiffness, CheckId::ElasticStiffness];
+        std::iter::once(moment.subject.text()).chain(ids.map(value)).collect()
     };
     Table {
         columns: COLUMNS.map(String::from).into(),
-        rows: checks.iter().filter(|c| c.title == MOMENT_RESISTANCE).map(row).collect(),
+        rows: checks.iter().filter(|c| c.id() == CheckId::MomentResistance).map(row).collect(),
     }
 }
 
@@ -241,7 +240,7 @@ fn worked(c: &Check, words: &Words) -> WorkedRow {
     };
     WorkedRow {
         of: words.say(&place(c)),
-        check: pieces(&words.say(&c.title)),
+        check: pieces(&words.say(&c.title.text())),
         formula: derivation(&c.derivation, words),
         values: ratio(c)
             .into_iter()

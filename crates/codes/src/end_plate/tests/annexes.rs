@@ -1,7 +1,7 @@
 //! What the national annexes change beside the partial factors.
 
 use super::fixture::{ONE, checks, find, joint, near, used};
-use crate::check::{Check, Status};
+use crate::check::{Check, CheckId, Status};
 use crate::end_plate::HandChecks;
 
 const LIST: &str = "rules of the national annex that are not covered";
@@ -26,7 +26,7 @@ fn germany_has_least_throats_beside_thick_parts() {
         assert_eq!(check.status, status, "{check:#?}");
         near(check.demand.unwrap_or(f64::NAN), 15f64.sqrt() - 0.5, 1e-9);
     }
-    let none = |h: &HandChecks| h.checks.iter().all(|c: &Check| c.title != title);
+    let none = |h: &HandChecks| h.checks.iter().all(|c: &Check| c.id().title() != title);
     assert!(none(&of("FR", "flange_weld: 5, web_weld: 3")) && none(&of("DE", "")));
     // exactly at the limit: √(3.5²) − 0.5 = 3 of a plate of 12.25 mm
     let thin = joint("web_weld: 3", ONE).replace("thickness: 15", "thickness: 12.25");
@@ -42,7 +42,7 @@ fn germany_excludes_bolts_of_class_6_8() {
         let found = h
             .checks
             .iter()
-            .any(|c| c.title == "bolt class of the annex" && c.status == Status::Failed);
+            .any(|c| c.id() == CheckId::AnnexBoltClass && c.status == Status::Failed);
         assert_eq!(found, excluded, "{grade}");
     }
 }
@@ -56,7 +56,7 @@ fn what_an_annex_changes_and_the_checks_leave_out_is_listed() {
         let h = of(annex, "");
         assert!(find(&h, &format!("annex {annex}"), LIST).formula().contains("not covered"));
     }
-    let none = |h: &HandChecks| h.checks.iter().all(|c| c.title != LIST);
+    let none = |h: &HandChecks| h.checks.iter().all(|c| c.id().title() != LIST);
     assert!(none(&of("recommended", "")) && none(&checks(&joint("", ONE))));
 }
 
@@ -66,7 +66,7 @@ fn uk_yield_strengths_are_those_of_the_product_standard() {
     let title = "yield strengths by the product standard";
     assert_eq!(find(&of("UK", ""), "annex UK", title).status, Status::Warning);
     let by_product = of("UK, fy_source: product_standard", "");
-    assert!(by_product.checks.iter().all(|c| c.title != title));
+    assert!(by_product.checks.iter().all(|c| c.id().title() != title));
 }
 
 /// HEM200 (t_f = 25) with a plate of 22 mm and M20 8.8: both above 20/1.9 · √(800/235) = 19.42 mm,
@@ -80,8 +80,7 @@ fn uk_na_2_7_limits_the_rows_by_a_triangle() {
     let uk = "code: {annex: UK}\n";
     let forces = |h: &HandChecks| -> Vec<f64> {
         let row = |c: &&Check| {
-            c.subject.starts_with("tension at the top, row")
-                && c.title == "tension resistance of a row"
+            c.subject.text().starts_with("tension at the top, row") && c.id() == CheckId::RowTension
         };
         h.checks.iter().filter(row).filter_map(|c| c.resistance).collect()
     };

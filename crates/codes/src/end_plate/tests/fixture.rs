@@ -5,6 +5,7 @@ use crate::design_code::build;
 use crate::end_plate::{HandChecks, hand_checks};
 use bracket_base::diag::Diagnostics;
 use bracket_base::yaml;
+use bracket_joint::assembly::Facts;
 use bracket_joint::catalog::Catalog;
 use bracket_joint::spec::ConnectionSpec;
 use std::path::Path;
@@ -16,7 +17,7 @@ pub(super) const TEMPLATE: &str =
 pub(super) fn of_spec(text: &str, base: &Path) -> Result<HandChecks, Diagnostics> {
     let spec = yaml::parse::<ConnectionSpec>(text, Path::new("joint.yaml"))?;
     let joint = build(&spec, base, &Catalog::builtin().expect("the shipped catalogue is sound"))?;
-    Ok(joint.end_plate.as_ref().map(hand_checks).unwrap_or_default())
+    Ok(joint.facts.as_ref().map(|Facts::EndPlate(e)| hand_checks(e)).unwrap_or_default())
 }
 
 pub(super) fn checks(text: &str) -> HandChecks {
@@ -30,7 +31,8 @@ pub(super) fn with(old: &str, new: &str) -> String {
 }
 
 pub(super) fn find<'a>(h: &'a HandChecks, subject: &str, title: &str) -> &'a Check {
-    let found = h.checks.iter().find(|c| c.subject.starts_with(subject) && c.title == title);
+    let found =
+        h.checks.iter().find(|c| c.subject.text().starts_with(subject) && c.id().title() == title);
     found.unwrap_or_else(|| panic!("no `{title}` of `{subject}` in {:#?}", h.checks))
 }
 

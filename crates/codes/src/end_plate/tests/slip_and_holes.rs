@@ -1,7 +1,7 @@
 //! Preloaded bolts, their categories and holes.
 
 use super::fixture::{ONE, bolted, checks, find, joint, near};
-use crate::check::Status;
+use crate::check::{CheckId, Status};
 use crate::end_plate::HandChecks;
 
 /// Six preloaded bolts: F_s,Rd = μ F_p,C/γ_M3 each; an axial tension reduces it by 0.8 of its
@@ -36,7 +36,7 @@ fn clause_3_9_slip_of_preloaded_bolts() {
         assert_eq!(slip.status, if used > 1.0 { Status::Warning } else { Status::Ok }, "{load}");
     }
     for (said, mu) in [("none", "0.2"), ("0.7", "0")] {
-        assert!(h(said, mu, "Vz: -100 kN").checks.iter().all(|c| c.title != title));
+        assert!(h(said, mu, "Vz: -100 kN").checks.iter().all(|c| c.id().title() != title));
     }
 }
 
@@ -51,7 +51,8 @@ fn clause_3_4_categories_b_and_c_bind_in_their_limit_state() {
             format!("{{name: A, end: beam_right, at: bolt_plane, state: {state}, Vz: -{v} kN}}");
         checks(&bolted(&format!("size: HR M20, grade: \"8.8\", preload: 0.7{category}"), "", &load))
     };
-    let has = |h: &HandChecks, title: &str| h.checks.iter().find(|c| c.title == title).cloned();
+    let has =
+        |h: &HandChecks, title: &str| h.checks.iter().find(|c| c.id().title() == title).cloned();
     let (b, c) = (", category: B", ", category: C");
     for (category, state, title, fails, limit) in [
         (c, "ULS", ultimate, true, 131.7),
@@ -78,9 +79,9 @@ fn clause_3_4_categories_b_and_c_bind_in_their_limit_state() {
         of(b, "ULS", 1.0)
             .checks
             .iter()
-            .any(|c| c.title.starts_with(words) && c.status == Status::Undecided)
+            .any(|c| c.id().title().starts_with(words) && c.status == Status::Undecided)
     );
-    assert!(of(b, "SLS", 1.0).checks.iter().all(|c| !c.title.starts_with(words)));
+    assert!(of(b, "SLS", 1.0).checks.iter().all(|c| !c.id().title().starts_with(words)));
     // without friction nothing prevents slip
     let load = "{name: A, end: beam_right, at: bolt_plane, Vz: -1 kN}";
     let text = bolted("size: HR M20, grade: \"8.8\", preload: 0.7, category: C", "", load);
@@ -117,8 +118,10 @@ fn tables_3_4_and_3_6_oversize_holes() {
     // wider than oversize: the code has no such hole, for bearing or for slip
     let wide = of("hole_clearance: 5");
     assert_eq!(find(&wide, "holes", "outside the range of the rules").status, Status::Undecided);
-    assert!(wide.checks.iter().all(|c| c.title != "bearing resistance at a bolt"));
-    assert!(wide.checks.iter().all(|c| !c.title.starts_with("slip") || c.resistance.is_none()));
+    assert!(wide.checks.iter().all(|c| c.id() != CheckId::BearingResistance));
+    assert!(
+        wide.checks.iter().all(|c| !c.id().title().starts_with("slip") || c.resistance.is_none())
+    );
 }
 
 /// Preloaded bolts that are not an assembly of EN 14399 are a warning; those of the HR and HV
@@ -134,7 +137,7 @@ fn clause_3_1_2_preloaded_bolts_are_assemblies_of_en_14399() {
     ] {
         let h = checks(&bolted(bolts, "", ONE));
         assert_eq!(
-            h.checks.iter().any(|c| c.title == title && c.status == Status::Warning),
+            h.checks.iter().any(|c| c.id().title() == title && c.status == Status::Warning),
             warned,
             "{bolts}"
         );

@@ -2,6 +2,7 @@ use super::*;
 use crate::draw::svg::overlaps;
 use bracket_base::yaml;
 use bracket_codes::design_code::build;
+use bracket_joint::assembly::Facts;
 use bracket_joint::catalog::Catalog;
 use bracket_joint::spec::ConnectionSpec;
 use std::path::Path;
@@ -10,7 +11,8 @@ fn joint(text: &str) -> (EndPlate, Content) {
     let spec = yaml::parse::<ConnectionSpec>(text, Path::new("joint.yaml")).expect("a spec");
     let joint =
         build(&spec, Path::new("."), &Catalog::builtin().expect("catalogue")).expect("a joint");
-    (joint.end_plate.expect("an end plate"), joint.content)
+    let Some(Facts::EndPlate(e)) = joint.facts else { panic!("an end plate") };
+    (e, joint.content)
 }
 
 const COLUMN: &str = "template: beam_to_column_end_plate\nmembers: {column: {profile: HEB200, \

@@ -1,0 +1,73 @@
+//! Drawings and further files of a joint, by family of connections.
+
+use super::moment_rotation::Frame;
+use super::{drawing, dxf, moment_axial, parts_drawing};
+use crate::markdown::report_data::PictureRef;
+use crate::words::Words;
+use bracket_codes::check::number;
+use bracket_codes::end_plate::stocked_length;
+use bracket_joint::assembly::{Content, EndPlate, Facts};
+use bracket_joint::spec::connection::Language;
+
+/// What a report shows of a joint before it is analysed.
+pub struct JointDrawings {
+    /// Drawings of the joint, with the dimensions that the hand checks read, and of the actions at
+    /// the member ends.
+    pub pictures: Vec<(PictureRef, String)>,
+    /// Files for the workshop, as name and text.
+    pub workshop: Vec<(String, String)>,
+    /// What the diagram of moment and rotation shows of the frame.
+    pub frame: Frame,
+}
+
+impl JointDrawings {
+    /// The drawings of a joint.
+    pub fn new(facts: Option<&Facts>, content: &Content, language: Language) -> Self {
+        match facts {
+            Some(Facts::EndPlate(e)) => Self {
+                pictures: of_end_plate(e, content),
+                workshop: vec![(dxf::DXF_FILE.into(), plate(e, content, language))],
+                frame: Frame::of(e),
+            },
+            None => {
+                let views = parts_drawing::views(content);
+                let pictures = vec![picture("drawing.svg", "Two views of the joint", views)];
+                Self { pictures, workshop: Vec::new(), frame: Frame::default() }
+            }
+        }
+    }
+}
+
+fn picture(file: &str, caption: &str, text: String) -> (PictureRef, String) {
+    (PictureRef { file: file.into(), caption: caption.into() }, text)
+}
+
+fn of_end_plate(e: &EndPlate, content: &Content) -> Vec<(PictureRef, String)> {
+    let views = drawing::views(e, content, stocked_length(e));
+    let mut out =
+        vec![picture("drawing.svg", "Side view of the joint, front view of the end plate", views)];
+    for (i, diagram) in bracket_codes::end_plate::moment_axial(e).iter().enumerate() {
+        let file =
+            if i == 0 { "moment_axial.svg".into() } else { format!("moment_axial_{}.svg", i + 1) };
+        let beta = if e.column.is_some() {
+            format!(", β = {}", number(diagram.beta))
+        } else {
+            String::new()
+        };
+        let caption =
+            format!("Moment and axial force that the joint carries by the component method{beta}");
+        out.push(picture(&file, &caption, moment_axial::drawing(diagram)));
+    }
+    if !e.actions.is_empty() {
+        let caption =
+            "Actions at the member ends with their positive senses, values at the bolt plane";
+        out.push(picture("actions.svg", caption, drawing::actions(e)));
+    }
+    out
+}
+
+/// The end plate for the workshop. The names of steel and bolt stay as the catalogue has them.
+fn plate(e: &EndPlate, content: &Content, language: Language) -> String {
+    let names = [e.plate_steel.grade.clone(), e.bolt.size.clone()];
+    dxf::end_plate(e, content.end_plates(), &Words::new(language, names))
+}
