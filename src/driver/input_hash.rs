@@ -39,10 +39,7 @@ pub fn checked_hash(input: &SpecFile) -> Result<String, Diagnostics> {
     let fault = |e: serde_json::Error| {
         Diagnostic::environment("cli/check", format!("the joint cannot be written: {e}"))
     };
-    let facts = match &input.joint.facts {
-        Some(Facts::EndPlate(e)) => Some(e),
-        None => None,
-    };
+    let facts = input.joint.facts.as_ref().map(|Facts::EndPlate(e)| e);
     let seen = if input.catalog.own_tables().is_empty() {
         serde_json::to_string(&facts).map_err(fault)?
     } else {

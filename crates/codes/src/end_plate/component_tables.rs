@@ -83,10 +83,16 @@ fn tables(e: &EndPlate, subject: &Subject, sense: Sense, a: &Assessment) -> Vec<
     for (r, row) in a.rows.iter().enumerate() {
         let place = Place::Row { number: r + 1, z: sense.z(row.z) };
         // the formula shows the numbers of the component that limits the row
-        let of = |c: &&Component| row.limited_by.component() == Some(c.kind);
-        let groups = row.groups.iter().map(|g| &g.component);
-        let grouped = matches!(row.limited_by, LimitedBy::Group { .. });
-        let shown = if grouped { groups.rev().find(of) } else { row.alone.iter().find(of) };
+        let alone = |kind| row.alone.iter().find(|c| c.kind == kind);
+        let group = |kind, first| {
+            let mut groups = row.groups.iter().filter(|g| g.first == first).map(|g| &g.component);
+            groups.find(|c| c.kind == kind)
+        };
+        let (shown, grouped) = match row.limited_by {
+            LimitedBy::Row(kind) => (alone(kind), false),
+            LimitedBy::Group { component, rows: [first, _] } => (group(component, first), true),
+            LimitedBy::Elastic(_) | LimitedBy::Sum(_) => (None, false),
+        };
         let before = Derivation::from(format!("F_tr,Rd, limited by {}", row.limited_by));
         let before = match shown {
             Some(c) if grouped => {
