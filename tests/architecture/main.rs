@@ -3,6 +3,8 @@
 
 mod circles;
 mod modules;
+mod read_back;
+mod spoken;
 mod text;
 mod the_checks_can_fail;
 mod tokens;
@@ -47,6 +49,9 @@ const HOUSES: [House; 6] = [
         folder: "crates/codes/",
         package: "bracket-codes",
         rooms: &[
+            "unit",
+            "formula",
+            "subject",
             "check",
             "worked",
             "verdict",
