@@ -3,6 +3,8 @@
 
 mod circles;
 mod modules;
+mod read_back;
+mod spoken;
 mod text;
 mod the_checks_can_fail;
 mod tokens;
@@ -49,6 +51,7 @@ const HOUSES: [House; 6] = [
         rooms: &[
             "unit",
             "formula",
+            "subject",
             "check",
             "worked",
             "verdict",

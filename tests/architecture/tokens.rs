@@ -3,6 +3,15 @@
 /// Identifiers, numbers, `::` and single characters. Each string or character literal becomes one
 /// `"`.
 pub fn tokens(text: &str) -> Vec<String> {
+    scan(text, |_| "\"".to_owned())
+}
+
+/// The same with each literal as written, quotes included.
+pub fn tokens_with_literals(text: &str) -> Vec<String> {
+    scan(text, |literal| literal.iter().collect())
+}
+
+fn scan(text: &str, of_literal: impl Fn(&[char]) -> String) -> Vec<String> {
     let c: Vec<char> = text.chars().collect();
     let at = |i: usize| c.get(i).copied().unwrap_or('\0');
     let mut out = Vec::new();
@@ -17,7 +26,7 @@ pub fn tokens(text: &str) -> Vec<String> {
         } else if c[i] == '/' && at(i + 1) == '*' {
             i = after_block_comment(&c, i);
         } else if let Some(end) = after_literal(&c, i) {
-            out.push("\"".to_owned());
+            out.push(of_literal(&c[i..end]));
             i = end;
         } else if c[i] == '\'' {
             // a lifetime

@@ -259,9 +259,9 @@ fn a_splice_has_no_column() {
     );
     assert!(!h.failed() && h.notes.is_empty(), "{h:#?}");
     assert!(
-        h.checks
-            .iter()
-            .all(|c| !c.subject.text().contains("column") && !c.id().title().contains("column web")),
+        h.checks.iter().all(|c| {
+            !c.subject.text().contains("column") && !c.id().title().contains("column web")
+        }),
         "{h:#?}"
     );
     assert!(
