@@ -151,9 +151,15 @@ fn names_of_the_source() -> BTreeMap<String, String> {
     let mut todo = vec![(RESULT_TYPE.to_owned(), String::new())];
     while let Some((name, user)) = todo.pop() {
         let Some(candidates) = all.get(&name) else { continue };
-        // if several types have the name, the one in the same file is meant, otherwise each of them
-        let own: Vec<&Written> = candidates.iter().filter(|w| w.file == user).collect();
-        let meant = if own.is_empty() { candidates.iter().collect() } else { own };
+        // of several types with the name the one in the same file is meant, else that of the same
+        // crate, else each of them
+        let of_crate = |file: &str| file.split("/src/").next().map(str::to_owned);
+        let same: [&dyn Fn(&Written) -> bool; 3] =
+            [&|w| w.file == user, &|w| of_crate(&w.file) == of_crate(&user), &|_| true];
+        let chosen = |of: &&dyn Fn(&Written) -> bool| -> Vec<&Written> {
+            candidates.iter().filter(|w| of(w)).collect()
+        };
+        let meant = same.iter().map(chosen).find(|some| !some.is_empty()).unwrap_or_default();
         for w in meant {
             if seen.insert((name.clone(), w.file.clone())) {
                 names.extend(w.names.iter().map(|n| (n.clone(), format!("{name} in {}", w.file))));

@@ -81,7 +81,7 @@ mod tests {
         assert_eq!(said.len(), 1, "{said:?}");
         assert_eq!(
             said[0],
-            "detailing: beam web: spanner clearance: c = 30 mm < 2 d + 5 mm = 2 · 24 + 5 = 53 mm \
+            "detailing: beam web: spanner clearance: c = 30 mm < 2 d + 5 = 2 · 24 + 5 = 53 mm \
              (practice); less so at: row at z = 90 mm; column web"
         );
         assert!(detailing(&checks[3..]).is_empty());

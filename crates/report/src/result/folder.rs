@@ -283,7 +283,8 @@ fn check_replaceable(target: &Path, content: Content) -> Result<(), FolderError>
                     io::ErrorKind::NotFound => not_ours(format!("it holds no {RESULT_FILE}")),
                     _ => not_ours(format!("its {RESULT_FILE} cannot be read: {e}")),
                 })?;
-            ResultFile::from_json(&text).map_err(|e: ResultError| not_ours(e.to_string()))?;
+            ResultFile::is_of_this_program(&text)
+                .map_err(|e: ResultError| not_ours(e.to_string()))?;
         }
         // an empty folder has nothing to lose
         Content::Files { .. } if fs::read_dir(target).is_ok_and(|mut d| d.next().is_none()) => {

@@ -144,8 +144,9 @@ impl From<ResultError> for Diagnostic {
                     .help("no result was written; please report this fault")
             }
             ResultError::Form(_) | ResultError::Schema { .. } | ResultError::Tool { .. } => {
-                Diagnostic::input("report/not-a-result", text)
-                    .help("name the folder of a finished `bracket` result")
+                let help = "name the folder of a finished `bracket` result; make a result of an \
+                            earlier edition again with this one";
+                Diagnostic::input("report/not-a-result", text).help(help)
             }
         }
     }
@@ -199,6 +200,13 @@ impl ResultFile {
 
     /// Reads `result.json`. Another schema or another program is refused.
     pub fn from_json(text: &str) -> Result<Self, ResultError> {
+        Self::is_of_this_program(text)?;
+        Ok(serde_json::from_str(text)?)
+    }
+
+    /// Whether the text is a `result.json` of this program, of whatever edition: a new result may
+    /// replace it, though this edition may miss keys that it reads.
+    pub fn is_of_this_program(text: &str) -> Result<(), ResultError> {
         #[derive(Deserialize)]
         struct Head {
             schema: u32,
@@ -211,7 +219,7 @@ impl ResultFile {
         if head.schema != SCHEMA {
             return Err(ResultError::Schema { found: head.schema });
         }
-        Ok(serde_json::from_str(text)?)
+        Ok(())
     }
 }
 

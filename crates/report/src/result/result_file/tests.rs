@@ -70,6 +70,15 @@ fn other_tools_and_schemas_are_refused() {
     assert!(matches!(ResultFile::from_json("{\"nodes\": 3}"), Err(ResultError::Form(_))));
 }
 
+/// A result of an edition that had fewer keys is not read, and a new one may replace it.
+#[test]
+fn a_result_of_an_earlier_edition_may_be_replaced() {
+    let earlier = result(case()).to_json().expect("valid").replace("\"verdict\"", "\"ruling\"");
+    assert!(matches!(ResultFile::from_json(&earlier), Err(ResultError::Form(_))));
+    assert!(ResultFile::is_of_this_program(&earlier).is_ok());
+    assert!(ResultFile::is_of_this_program(&earlier[..earlier.len() / 2]).is_err());
+}
+
 #[test]
 fn the_hash_sees_the_seams() {
     assert_ne!(input_hash(&[("a", b"bc")]), input_hash(&[("ab", b"c")]));
