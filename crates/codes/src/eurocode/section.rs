@@ -77,16 +77,11 @@ pub fn shear_reduction<N: Number>(ratio: N) -> N {
     if ratio.value() > 0.5 { (n(2.0) * ratio - n(1.0)).powi(2) } else { n(0.0) }
 }
 
-/// Plastic section modulus that a shear force leaves \[mm³\], `W_pl − ρ A_w²/(4 t_w)` with
-/// A_w = h_w t_w.
+/// Plastic section modulus that a shear force leaves \[mm³\], `W_pl − ρ A_w²/(4 t_w)`; `web` is
+/// A_w = h_w t_w \[mm²\].
 ///
 /// # Source
 /// EN 1993-1-1:2005 6.2.8(5), formula 6.30.
-pub fn reduced_modulus(s: &Section, rho: f64) -> f64 {
-    modulus_beside_shear(s.w_pl, rho, s.web_depth() * s.tw, s.tw)
-}
-
-/// The formula of [`reduced_modulus`]; `web` is A_w.
 pub fn modulus_beside_shear<N: Number>(w_pl: N, rho: N, web: N, tw: N) -> N {
     w_pl - rho * web.clone() * web / (N::from(4.0) * tw)
 }

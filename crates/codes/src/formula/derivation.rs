@@ -140,9 +140,7 @@ impl Line {
             Line::DecidedBy(step) => format!("{DECIDED_BY}: {step}"),
         }
     }
-}
 
-impl Line {
     /// The value of a comparison with its symbol; empty for other parts.
     pub fn provided(&self) -> String {
         match self {
