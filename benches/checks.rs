@@ -50,7 +50,7 @@ fn main() {
             let spec =
                 yaml::parse::<ConnectionSpec>(text, Path::new("joint.yaml")).expect("a spec");
             let joint = design_code::build(&spec, Path::new(""), &catalog).expect("a joint");
-            let Facts::EndPlate(e) = joint.facts.expect("with hand checks");
+            let Some(Facts::EndPlate(e)) = joint.facts else { panic!("with hand checks") };
             e
         };
         let judged = |e: &EndPlate| {

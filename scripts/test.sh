@@ -1,12 +1,12 @@
 #!/bin/sh
 # Everything that must pass, from nothing: set up, format, lints, tests (unit, literature, doc), licences, examples.
 # --heavy adds the tests that take long (fine meshes, convergence studies, a sweep on a real Slurm, the feature `parquet`).
-# Five minutes of the campaign of random inputs (tests/campaign) are among them; --campaign runs nothing but that.
+# Two minutes of the campaign of random inputs (tests/campaign) are among them, five with --heavy; --campaign runs nothing but that.
 set -eu
 cd -- "$(dirname -- "$0")/.."
 heavy=no
 campaign=no
-minutes=5
+minutes=''
 seed=1
 usage() {
     echo "usage: scripts/test.sh [--heavy] | --campaign [--minutes N] [--seed S]" >&2
@@ -27,6 +27,9 @@ while [ $# -gt 0 ]; do
     shift
 done
 [ "$heavy$campaign" != yesyes ] || usage
+if [ -z "$minutes" ]; then
+    if [ "$heavy$campaign" = nono ]; then minutes=2; else minutes=5; fi
+fi
 
 not_run=''
 step() {

@@ -21,7 +21,7 @@ pub use driver::overrides::Overrides;
 pub use driver::spec_input::SpecInput;
 pub use driver::spec_run::{Ran, run};
 
-pub use bracket_base::{diag, diag_render, math, text_file, units, yaml};
+pub use bracket_base::{diag, diag_render, math, text_file, units, words, yaml};
 pub use bracket_codes as checks;
 pub use bracket_engine::{
     analysis, certify, elements, mesh, model, programs, recover, refine, solve,

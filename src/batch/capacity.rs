@@ -9,11 +9,14 @@ use super::plan::Plan;
 use super::row::{LoadRow, Outcome, Record};
 use super::screen::Kit;
 use super::sweep::CapacityTable;
+use bracket_base::say;
+use bracket_base::words::Text;
 use bracket_codes::verdict::Verdict;
 use bracket_joint::spec::connection::ConnectionSpec;
 use bracket_joint::spec::loads::Action;
+use bracket_report::document::Doc;
+use bracket_report::document::table::Table;
 use bracket_report::figures::{Rounding, fixed};
-use bracket_report::markdown::markup::inline;
 
 /// A cell: capacities in kN or kN m.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -42,7 +45,7 @@ pub struct Filled {
     /// Path over the columns.
     pub column_path: String,
     /// Action and unit: `My in kN m`.
-    pub what: String,
+    pub what: Text,
     /// Heads of the rows.
     pub rows: Vec<String>,
     /// Heads of the columns.
@@ -120,7 +123,7 @@ pub fn fill(table: &CapacityTable, plan: &Plan, kit: &Kit, records: &[Option<Rec
         title: table.title.clone(),
         row_path: table.rows.clone(),
         column_path: table.columns.clone(),
-        what: format!("{} in {unit}", table.action.word()),
+        what: say!("{} in {}", table.action.word().to_owned(), unit.to_owned()),
         rows,
         columns,
         cells,
@@ -149,26 +152,16 @@ impl Filled {
         !self.cells.iter().flatten().any(has)
     }
 
-    /// The table as Markdown: lower bound bold, upper bound beside it, component method in italics.
-    pub fn markdown(&self) -> String {
-        let mut out = format!(
-            "## {}\n\n{}: **at least** to at most, \
-             *component method*.\n\n",
-            inline(&self.title),
-            self.what
-        );
-        out.push_str(&format!("| {} \\ {} |", inline(&self.row_path), inline(&self.column_path)));
-        self.columns.iter().for_each(|c| out.push_str(&format!(" {} |", inline(c))));
-        out.push_str("\n| --- |");
-        self.columns.iter().for_each(|_| out.push_str(" ---: |"));
-        for (head, cells) in self.rows.iter().zip(&self.cells) {
-            out.push_str(&format!("\n| {} |", inline(head)));
-            for cell in cells {
-                out.push_str(&format!(" {} |", cell.markdown()));
-            }
-        }
-        out.push('\n');
-        out
+    /// Writes the table: lower bound bold, upper bound beside it, component method in brackets.
+    pub fn write(&self, doc: &mut Doc) {
+        doc.heading(Text::given(&self.title));
+        doc.paragraph(say!("{}: **at least** to at most (component method).", &self.what));
+        let corner = Text::given(format!("{} \\ {}", self.row_path, self.column_path));
+        let columns = std::iter::once(corner).chain(self.columns.iter().map(Text::given));
+        let rows = self.rows.iter().zip(&self.cells).map(|(head, cells)| {
+            std::iter::once(Text::given(head)).chain(cells.iter().map(Cell::text)).collect()
+        });
+        doc.table(&Table { columns: columns.collect(), rows: rows.collect() });
     }
 }
 
@@ -178,23 +171,19 @@ impl Cell {
         (self.open, self.lower) = (true, None);
     }
 
-    fn markdown(&self) -> String {
-        let mut parts = Vec::new();
-        if let Some(v) = self.lower {
-            parts.push(format!("**{}**", shown(Some(v), Rounding::Down)));
+    fn text(&self) -> Text {
+        let number = |v: f64, rounding| shown(Some(v), rounding);
+        let ended = |o: &Outcome| *o >= Outcome::TimedOut;
+        let parts = [
+            self.lower.map(|v| say!("**{}**", number(v, Rounding::Down))),
+            self.upper.map(|v| say!("to {}", number(v, Rounding::Up))),
+            self.component.map(|v| Text::given(format!("({})", number(v, Rounding::Down)))),
+            self.outcome.filter(ended).map(|o| o.plain().into()),
+            self.code_fails.then(|| "(a check fails)".into()),
+        ];
+        match Text::joined(" ", parts.into_iter().flatten()) {
+            text if text.is_empty() => Text::given("–"),
+            text => text,
         }
-        if let Some(v) = self.upper {
-            parts.push(format!("to {}", shown(Some(v), Rounding::Up)));
-        }
-        if let Some(v) = self.component {
-            parts.push(format!("*{}*", shown(Some(v), Rounding::Down)));
-        }
-        if let Some(o @ (Outcome::Failed | Outcome::BadInput | Outcome::TimedOut)) = self.outcome {
-            parts.push(o.plain());
-        }
-        if self.code_fails {
-            parts.push("(a check fails)".into());
-        }
-        if parts.is_empty() { "–".into() } else { parts.join(" ") }
     }
 }

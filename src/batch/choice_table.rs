@@ -5,7 +5,10 @@ use super::merged::Merged;
 use super::plan::Plan;
 use super::row::{LoadRow, Record};
 use bracket_base::math::figures::{Rounding, fixed, utilisation};
-use bracket_report::markdown::markup::inline;
+use bracket_base::say;
+use bracket_base::words::Text;
+use bracket_report::document::Doc;
+use bracket_report::document::table::Table;
 use serde_json::{Map, Value, json};
 
 /// The rows of the chosen joints: names of columns with their values; null where there is none.
@@ -70,42 +73,48 @@ pub struct Shown {
     /// Heads of the columns.
     pub heads: Vec<&'static str>,
     /// The cells by rows.
-    pub cells: Vec<Vec<String>>,
+    pub cells: Vec<Vec<Text>>,
     /// What is least.
     pub least: String,
     /// How many joints were analysed, and what was left undecided.
-    pub sentence: String,
+    pub sentence: Text,
 }
 
 /// The table for people; `meshes`: whether limit analysis follows the checks.
 pub fn shown(rows: &[Map<String, Value>], least: &str, meshes: bool) -> Shown {
-    let cell = |row: &Map<String, Value>, key: &str| match &row[key] {
-        Value::Null if key == "chosen" => match row["outcome"].as_str() {
-            _ if row["joints"] == 0 => "`where` leaves none".into(),
-            Some("not_ok") => "none holds".into(),
-            Some("open") => "not finished".into(),
-            _ => "none is certain to hold".into(),
-        },
-        Value::Null => String::new(),
-        Value::String(s) => s.clone(),
-        // rounded so that nothing looks cheaper or less used than it is
-        v => match v.as_f64() {
-            Some(x) if key == "governing_utilisation" => utilisation(x, Rounding::Up),
-            Some(x) if v.is_f64() => fixed(x, 3, Rounding::Up),
-            _ => v.to_string(),
-        },
+    let cell = |row: &Map<String, Value>, key: &str| -> Text {
+        match &row[key] {
+            Value::Null if key == "chosen" => match row["outcome"].as_str() {
+                _ if row["joints"] == 0 => "`where` leaves none".into(),
+                Some("not_ok") => "none holds".into(),
+                Some("open") => "not finished".into(),
+                _ => "none is certain to hold".into(),
+            },
+            Value::Null => Text::default(),
+            Value::String(s) if key == "proved_by" => {
+                Text::word_of(&["limit analysis", "checks"], s)
+            }
+            Value::String(s) => Text::given(s),
+            // rounded so that nothing looks cheaper or less used than it is
+            v => match v.as_f64() {
+                Some(x) if key == "governing_utilisation" => utilisation(x, Rounding::Up).into(),
+                Some(x) if v.is_f64() => fixed(x, 3, Rounding::Up).into(),
+                _ => v.to_string().into(),
+            },
+        }
     };
     let cells = rows.iter().map(|r| SHOWN.iter().map(|(key, _)| cell(r, key)).collect()).collect();
     let sum = |key: &str| rows.iter().filter_map(|r| r[key].as_u64()).sum::<u64>();
-    let mut sentence = match meshes {
-        true => format!("{} of {} joints were analysed.", sum("analysed"), sum("joints")),
-        false => format!("{} joints by their checks.", sum("joints")),
+    let analysed = match meshes {
+        true => say!("{} of {} joints were analysed.", sum("analysed"), sum("joints")),
+        false => say!("{} joints by their checks.", sum("joints")),
     };
-    match sum("cheaper_undecided") {
-        0 => {}
-        1 => sentence.push_str(" One cheaper joint is undecided: it may hold."),
-        n => sentence.push_str(&format!(" {n} cheaper joints are undecided: they may hold.")),
-    }
+    let undecided = match sum("cheaper_undecided") {
+        0 => Text::default(),
+        1 => "One cheaper joint is undecided: it may hold.".into(),
+        n => say!("{} cheaper joints are undecided: they may hold.", n),
+    };
+    let sentence = Text::joined(" ", [analysed, undecided]);
     let heads = SHOWN.map(|(_, head)| head).to_vec();
     Shown { heads, cells, least: least.into(), sentence }
 }
@@ -113,10 +122,11 @@ pub fn shown(rows: &[Map<String, Value>], least: &str, meshes: bool) -> Shown {
 impl Shown {
     /// The chosen joints as lines of text, of the first groups, and the sentence.
     pub fn lines(&self, most: usize) -> Vec<String> {
-        let one = |row: &Vec<String>| {
+        let one = |row: &Vec<Text>| {
             let [group, chosen, _, cost, ..] = &row[..] else { return String::new() };
-            let group = if group.is_empty() { String::new() } else { format!("{group}: ") };
-            let cost = if cost.is_empty() { String::new() } else { format!(", cost {cost}") };
+            let [group, cost] = [group, cost].map(Text::to_string);
+            let group = if group.is_empty() { group } else { format!("{group}: ") };
+            let cost = if cost.is_empty() { cost } else { format!(", cost {cost}") };
             format!("{group}{chosen}{cost}")
         };
         let mut out: Vec<String> = self.cells.iter().take(most).map(one).collect();
@@ -127,18 +137,11 @@ impl Shown {
         out
     }
 
-    /// The table as Markdown.
-    pub fn markdown(&self) -> String {
-        let least = self.least.replace('`', "'");
-        let mut out = format!("## Chosen joints\n\nLeast `{least}`. {}\n\n|", self.sentence);
-        self.heads.iter().for_each(|h| out.push_str(&format!(" {h} |")));
-        out.push_str("\n|");
-        self.heads.iter().for_each(|_| out.push_str(" --- |"));
-        for row in &self.cells {
-            out.push_str("\n|");
-            row.iter().for_each(|c| out.push_str(&format!(" {} |", inline(c))));
-        }
-        out.push('\n');
-        out
+    /// Writes the table.
+    pub fn write(&self, doc: &mut Doc) {
+        doc.heading("Chosen joints");
+        doc.paragraph(say!("Least `{}`. {}", self.least.replace('`', "'"), &self.sentence));
+        let columns = self.heads.iter().map(|h| Text::from(*h)).collect();
+        doc.table(&Table { columns, rows: self.cells.clone() });
     }
 }

@@ -30,6 +30,8 @@ use bracket_engine::analysis::memory::room;
 use bracket_joint::spec::connection::Language;
 use bracket_report::console::log::Log;
 use bracket_report::console::pace::about;
+use bracket_report::document::markdown::markdown;
+use bracket_report::document::section;
 use bracket_report::figures::bracket as bracket_of;
 use bracket_report::printed;
 use bracket_report::sheet::sweep::SUMMARY_PDF;
@@ -284,10 +286,8 @@ pub fn merge(plan: &Plan, folder: &SweepFolder, log: &Log) -> Result<Merge, Diag
     #[cfg(not(feature = "parquet"))]
     let _ = std::fs::remove_file(path.join(COLUMNS));
     let mut tables = Vec::new();
-    let mut markdown = Vec::new();
     if let Some(kit) = &kit {
         tables.extend(header.tables.iter().map(|t| fill(t, plan, kit, records)));
-        markdown.extend(tables.iter().map(|t| t.markdown()));
     }
     let mut choice = None;
     if let Some(choose) = &plan.header.choose {
@@ -298,19 +298,24 @@ pub fn merge(plan: &Plan, folder: &SweepFolder, log: &Log) -> Result<Merge, Diag
         let rows = choice_table::rows(plan, &merged, &joints);
         write_whole(&path.join(CHOSEN), &csv(&rows)?)?;
         let shown = choice_table::shown(&rows, choose.least.text(), plan.header.then.is_some());
-        markdown.insert(0, shown.markdown());
         choice = Some(shown);
     }
     if choice.is_none() {
         chosen_joints::remove(folder);
     }
     // those of an earlier plan
-    let stale = [(TABLES, markdown.is_empty()), (CHOSEN, choice.is_none())];
+    let no_tables = tables.is_empty() && choice.is_none();
+    let stale = [(TABLES, no_tables), (CHOSEN, choice.is_none())];
     for (name, _) in stale.into_iter().filter(|(_, stale)| *stale) {
         let _ = std::fs::remove_file(path.join(name));
     }
-    if !markdown.is_empty() {
-        write_whole(&path.join(TABLES), visible(&markdown.join("\n")).as_bytes())?;
+    if !no_tables {
+        let english = Words::default();
+        let blocks = section(&english, |doc| {
+            choice.iter().for_each(|c| c.write(doc));
+            tables.iter().for_each(|t| t.write(doc));
+        });
+        write_whole(&path.join(TABLES), visible(&markdown(&blocks)).as_bytes())?;
     }
     let of_base = plan.header.expansion.base["project"]["title"].as_str();
     let sweep = &plan.header.sweep;
@@ -318,7 +323,7 @@ pub fn merge(plan: &Plan, folder: &SweepFolder, log: &Log) -> Result<Merge, Diag
     let title = of_base.map_or_else(of_file, str::to_owned);
     let project = &header.expansion.base["project"];
     let language = Language::deserialize(&project["language"]).unwrap_or_default();
-    let words = Words::new(language, []);
+    let words = Words::new(language);
     let page = summary::page((&title, &words), &counts, &broken, choice.as_ref(), &tables, &rows);
     write_whole(&path.join("summary.html"), page.as_bytes())?;
     if cfg!(feature = "pdf") {

@@ -4,6 +4,8 @@ use super::merged::Merged;
 use super::plan::Plan;
 use super::row::{Outcome, Record};
 use bracket_base::diag::{Diagnostic, Diagnostics, ExitStatus};
+use bracket_base::say;
+use bracket_base::words::Text;
 use bracket_joint::spec::expr::{Expr, Value};
 use serde_json::{Map, Value as Json};
 
@@ -44,8 +46,8 @@ impl Counts {
     }
 
     /// `1 case`, `24 cases`.
-    pub fn cases(number: usize) -> String {
-        if number == 1 { "1 case".into() } else { format!("{number} cases") }
+    pub fn cases(number: usize) -> Text {
+        if number == 1 { "1 case".into() } else { say!("{} cases", number) }
     }
 
     /// The numbers by their names in the conditions of `expect`, and `open`.

@@ -42,8 +42,13 @@ impl Outcome {
     }
 
     /// Its word for people.
-    pub fn plain(self) -> String {
-        self.word().replace('_', " ")
+    pub fn plain(self) -> &'static str {
+        match self {
+            Outcome::NotOk => "not ok",
+            Outcome::TimedOut => "timed out",
+            Outcome::BadInput => "bad input",
+            other => other.word(),
+        }
     }
 
     /// The outcome of a verdict. Loads that are no demand are undecided.

@@ -5,6 +5,8 @@ use super::choice_table::Shown;
 use super::counts::Counts;
 use super::row::Outcome;
 use bracket_base::math::figures::Rounding;
+use bracket_base::say;
+use bracket_base::words::Text;
 use bracket_report::escaped::{escaped, inside_script};
 use bracket_report::words::Words;
 use serde_json::{Map, Value};
@@ -49,30 +51,30 @@ pub fn page(
 ) -> String {
     let mut out = String::new();
     let title = escaped(title);
-    let say = |text: &str| escaped(&words.say(text));
+    let say = |text: Text| escaped(&words.say(&text));
     let language = words.code();
     out.push_str(&format!("<!doctype html>\n<html lang=\"{language}\"><head>"));
     out.push_str("<meta charset=\"utf-8\">");
     out.push_str("<meta name=\"viewport\" content=\"width=device-width\">");
     out.push_str(&format!("<title>{title}</title>\n<style>\n{STYLE}</style></head>\n<body>\n"));
-    out.push_str(&format!("<h1>{title}</h1>\n<p>{}: ", say(&Counts::cases(counts.all()))));
+    out.push_str(&format!("<h1>{title}</h1>\n<p>{}: ", say(Counts::cases(counts.all()))));
     let outcomes = Outcome::ALL.iter().rev().filter(|o| counts.with(**o) > 0);
     let found: Vec<String> = outcomes
         .map(|o| {
             let word = o.word();
-            format!("<b class=\"{word}\">{} {}</b>", counts.with(*o), say(&o.plain()))
+            format!("<b class=\"{word}\">{} {}</b>", counts.with(*o), say(o.plain().into()))
         })
         .collect();
     out.push_str(&found.join(", "));
     if counts.open > 0 {
-        out.push_str(&format!(", <b>{} {}</b>", counts.open, say("not finished")));
+        out.push_str(&format!(", <b>{} {}</b>", counts.open, say("not finished".into())));
     }
     out.push_str("</p>\n");
     for condition in broken {
         let text = escaped(condition);
         out.push_str(&format!(
             "<p class=\"failed\">{}: <code>{text}</code></p>\n",
-            say("Expected, and not so")
+            say("Expected, and not so".into())
         ));
     }
     if let Some(shown) = choice {
@@ -83,8 +85,8 @@ pub fn page(
     let shown = worst_first(rows, MOST_ROWS);
     if shown.len() < rows.len() {
         let (some, all) = (shown.len(), rows.len());
-        let few = format!("{some} of {all} rows, the worst first; results.csv has all.");
-        out.push_str(&format!("<p>{}</p>\n", say(&few)));
+        let few = say!("{} of {} rows, the worst first; results.csv has all.", some, all);
+        out.push_str(&format!("<p>{}</p>\n", say(few)));
     }
     let data = Value::Array(shown.into_iter().cloned().map(Value::Object).collect());
     out.push_str("<script type=\"application/json\" id=\"data\">");
@@ -99,17 +101,18 @@ fn chosen(table: &Shown, words: &Words) -> String {
     let cells = |tag: &str, texts: &mut dyn Iterator<Item = &str>| {
         texts.map(|t| format!("<{tag}>{}</{tag}>", escaped(t))).collect::<String>()
     };
-    let heads: Vec<String> = table.heads.iter().map(|h| words.say(h)).collect();
+    let heads: Vec<String> = table.heads.iter().map(|h| words.say(&(*h).into())).collect();
     let head = cells("th", &mut heads.iter().map(String::as_str));
     let mut out = format!(
         "<h2>{}</h2>\n<p>{} <code>{}</code>. {}</p>\n\
          <table><thead><tr>{head}</tr></thead>\n<tbody>\n",
-        escaped(&words.say("Chosen joints")),
-        escaped(&words.say("Least")),
+        escaped(&words.say(&"Chosen joints".into())),
+        escaped(&words.say(&"Least".into())),
         escaped(&table.least),
         escaped(&words.say(&table.sentence))
     );
     for row in &table.cells {
+        let row: Vec<String> = row.iter().map(|cell| words.say(cell)).collect();
         let row = cells("td", &mut row.iter().map(String::as_str));
         out.push_str(&format!("<tr>{row}</tr>\n"));
     }
@@ -144,7 +147,7 @@ pub fn capacity(table: &Filled, words: &Words) -> String {
                 cell.code_fails
                     .then(|| words.fill("<span class=\"not_ok\">⟦a check fails⟧</span>")),
                 cell.outcome.filter(|o| *o >= Outcome::TimedOut).map(|o| {
-                    let plain = escaped(&words.say(&o.plain()));
+                    let plain = escaped(&words.say(&Text::from(o.plain())));
                     format!("<span class=\"{}\">{plain}</span>", o.word())
                 }),
             ];
@@ -197,7 +200,7 @@ mod tests {
     /// All texts of the page are in the language of the sweep.
     #[test]
     fn a_german_page_is_german() {
-        let words = Words::new(Language::De, []);
+        let words = Words::new(Language::De);
         let counts = Counts::default();
         let row: Map<String, Value> = [("outcome".to_string(), json!("ok"))].into_iter().collect();
         let rows = vec![row; MOST_ROWS + 1];

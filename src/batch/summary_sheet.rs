@@ -6,9 +6,13 @@ use super::counts::Counts;
 use super::row::Outcome;
 use super::summary::worst_first;
 use bracket_base::math::figures::{Rounding, significant, utilisation};
+use bracket_base::say;
+use bracket_base::words::Text;
+use bracket_report::document::block::Block;
+use bracket_report::document::section;
+use bracket_report::document::table::Table;
 use bracket_report::result::result_file::Tool;
 use bracket_report::sheet::Section;
-use bracket_report::sheet::blocks::{Block, Grid, Text, plain, section};
 use bracket_report::sheet::head::{Head, Paper};
 use bracket_report::sheet::sweep::SweepSheet;
 use bracket_report::words::Words;
@@ -51,8 +55,10 @@ pub fn sheet(
     };
     let names = ["number", "author", "checker", "date", "revision"];
     let project = names.iter().filter_map(|n| Some((n.to_string(), value(n)?))).collect();
-    let outcomes =
-        Section { title: words.say("Cases by outcome"), blocks: outcomes(counts, broken, words) };
+    let outcomes = Section {
+        title: words.say(&"Cases by outcome".into()),
+        blocks: outcomes(counts, broken, words),
+    };
     // the first block is the heading of the text
     let titled = |blocks: Vec<Block>| {
         let mut blocks = blocks.into_iter();
@@ -60,63 +66,63 @@ pub fn sheet(
         let title = text.into_iter().map(|s| s.text).collect();
         Some(Section { title, blocks: blocks.collect() })
     };
-    let choice = choice.and_then(|c| titled(section(words, |page| page.push_str(&c.markdown()))));
-    let table = |t: &Filled| titled(section(words, |page| page.push_str(&t.markdown())));
+    let choice = choice.and_then(|c| titled(section(words, |doc| c.write(doc))));
+    let table = |t: &Filled| titled(section(words, |doc| t.write(doc)));
     let paper = Paper::default();
     SweepSheet {
         head: Head::new(paper, title.into(), project, words, &Tool::this(), String::new()),
         overview: [Some(outcomes), choice].into_iter().flatten().collect(),
         tables: tables.iter().filter_map(table).collect(),
-        cases: Section { title: words.say("Cases"), blocks: cases(rows, words) },
+        cases: Section { title: words.say(&"Cases".into()), blocks: cases(rows, words) },
     }
 }
 
 fn outcomes(counts: &Counts, broken: &[String], words: &Words) -> Vec<Block> {
     let found = Outcome::ALL.iter().filter(|o| counts.with(**o) > 0);
-    let row = |word: String, count: usize| vec![plain(words.say(&word)), plain(count.to_string())];
-    let mut rows: Vec<Vec<Text>> = found.map(|o| row(o.plain(), counts.with(*o))).collect();
+    let row = |word: &'static str, count: usize| [word.into(), count.to_string().into()];
+    let mut rows: Vec<[Text; 2]> = found.map(|o| row(o.plain(), counts.with(*o))).collect();
     if counts.open > 0 {
-        rows.push(row("not finished".into(), counts.open));
+        rows.push(row("not finished", counts.open));
     }
-    rows.push(row("all".into(), counts.all()));
-    let columns = ["outcome", "cases"].map(|t| plain(words.say(t))).to_vec();
-    let mut out = vec![Block::Table { table: Grid { columns, right: vec![false, true], rows } }];
-    if !broken.is_empty() {
-        let text = plain(words.say("Expected, and not so") + ":");
-        out.push(Block::Paragraph { text });
-        out.push(Block::List { items: broken.iter().map(plain).collect() });
-    }
-    out
+    rows.push(row("all", counts.all()));
+    section(words, |doc| {
+        doc.table(&Table::new(["outcome", "cases"], rows));
+        if !broken.is_empty() {
+            doc.paragraph(say!("{}:", "Expected, and not so"));
+            doc.list(broken.iter().map(Text::given));
+        }
+    })
 }
 
 /// The cases, or the worst of them.
 fn cases(rows: &[Map<String, Value>], words: &Words) -> Vec<Block> {
     let shown = worst_first(rows, MOST_ROWS);
-    let cell = |row: &Map<String, Value>, key: &str, rounding: Option<Rounding>| {
+    let cell = |row: &Map<String, Value>, key: &str, rounding: Option<Rounding>| -> Text {
         let value = row.get(key).unwrap_or(&Value::Null);
-        plain(match (value.as_f64(), rounding, value) {
-            (Some(x), Some(r), _) if key == USED => utilisation(x, r),
-            (Some(x), Some(r), _) => significant(x, 4, r).replace('-', "−"),
-            (_, _, Value::String(s)) if key == "outcome" => words.say(&s.replace('_', " ")),
-            (_, _, Value::String(s)) => s.clone(),
-            _ => "–".into(),
-        })
+        match (value.as_f64(), rounding, value) {
+            (Some(x), Some(r), _) if key == USED => utilisation(x, r).into(),
+            (Some(x), Some(r), _) => significant(x, 4, r).replace('-', "−").into(),
+            (_, _, Value::String(s)) if key == "outcome" => {
+                let outcome = Outcome::ALL.into_iter().find(|o| o.word() == s);
+                outcome.map_or_else(|| Text::given(s), |o| o.plain().into())
+            }
+            (_, _, Value::String(s)) => Text::given(s),
+            _ => Text::given("–"),
+        }
     };
-    let cells = |row: &&Map<String, Value>| COLUMNS.map(|(key, _, r)| cell(row, key, r)).to_vec();
-    let table = Grid {
-        columns: COLUMNS.map(|c| plain(words.say(c.1))).to_vec(),
-        right: COLUMNS.map(|c| c.2.is_some()).to_vec(),
-        rows: shown.iter().map(cells).collect(),
+    let row = |row: &&Map<String, Value>| COLUMNS.map(|(key, _, r)| cell(row, key, r)).to_vec();
+    let table = Table {
+        columns: COLUMNS.map(|c| Text::from(c.1)).to_vec(),
+        rows: shown.iter().map(row).collect(),
     };
-    let mut out = Vec::new();
-    if shown.len() < rows.len() {
-        let few = format!(
-            "{} of {} rows, the worst first; results.csv has all.",
-            shown.len(),
-            rows.len()
-        );
-        out.push(Block::Paragraph { text: plain(words.say(&few)) });
-    }
-    out.push(Block::Table { table });
-    out
+    section(words, |doc| {
+        if shown.len() < rows.len() {
+            doc.paragraph(say!(
+                "{} of {} rows, the worst first; results.csv has all.",
+                shown.len(),
+                rows.len()
+            ));
+        }
+        doc.table(&table);
+    })
 }

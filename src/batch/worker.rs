@@ -328,7 +328,7 @@ fn finished(job: &Job, result: &ResultFile) -> Record {
     });
     record.result = true;
     record.outcome = Outcome::of(result.verdict);
-    record.cause = result.judgement.as_ref().map(|j| j.reason.clone());
+    record.cause = result.judgement.as_ref().map(|j| j.reason.to_string());
     let factors = result.cases.iter().filter(|c| c.quantity == Quantity::LoadFactor);
     for c in factors {
         let Some(demand) = &c.demand else { continue };

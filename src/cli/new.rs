@@ -261,7 +261,7 @@ pub fn starter(
         "# length: system length, of a beam between the centres of the columns, of a column its \
          storey height: class of the joint by stiffness\n",
     );
-    if let Some(column) = template.hand_checks.as_ref().and_then(|h| h.column.as_ref()) {
+    if let Some(column) = template.column() {
         let _ = writeln!(
             out,
             "# N_Ed (tension positive), M_Ed, V_Ed: forces of the column beside the joint; they \
@@ -407,7 +407,7 @@ fn wrap(text: &str, width: usize) -> Vec<String> {
 /// Writes one parameter: as a value if the starter gives it, as a comment if it is the default.
 fn line(out: &mut String, key: &str, r: &Resolved) {
     let mut note = r.about.replace('\n', " ");
-    if let Some(d) = r.default.as_ref().filter(|d| **d != r.value) {
+    if let Some(d) = r.default.as_ref().filter(|d| r.value != d.as_str()) {
         let _ = write!(note, "; default {d}");
     }
     if let Some(range) = &r.range {

@@ -11,6 +11,7 @@ use bracket_report::printed;
 use bracket_report::result::digests::{DIGESTS_FILE, Digests};
 use bracket_report::sheet::head::Paper;
 use bracket_report::sheet::{Extent, PDF_FILE};
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -29,29 +30,18 @@ pub struct ReportArgs {
     #[arg(long, value_enum, default_value_t)]
     pub paper: PaperArg,
     /// Language of the words; that of the spec if left out. Pictures of meshes keep theirs.
-    #[arg(long, value_enum)]
-    pub language: Option<LanguageArg>,
+    #[arg(long, value_parser = language())]
+    pub language: Option<Language>,
     /// File to write instead of `report.pdf` in the folder.
     #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,
 }
 
-/// Language on the command line.
-#[derive(Clone, Copy, Debug, clap::ValueEnum)]
-pub enum LanguageArg {
-    /// English.
-    En,
-    /// German.
-    De,
-}
-
-impl From<LanguageArg> for Language {
-    fn from(language: LanguageArg) -> Self {
-        match language {
-            LanguageArg::En => Language::En,
-            LanguageArg::De => Language::De,
-        }
-    }
+/// Reads the code of a language.
+fn language() -> impl TypedValueParser<Value = Language> {
+    let of = |code: String| Language::ALL.into_iter().find(|l| l.code() == code);
+    PossibleValuesParser::new(Language::ALL.map(Language::code))
+        .try_map(move |code| of(code).ok_or("no language"))
 }
 
 /// Paper on the command line.
@@ -88,7 +78,7 @@ fn free_or_pdf(path: &Path) -> Result<(), Diagnostics> {
 pub fn run(args: &ReportArgs, common: &Common) -> CommandResult {
     let interrupt = Interrupt::watch()?;
     let mut data = ReportData::read(&args.folder)?;
-    data.input.language = args.language.map_or(data.input.language, Language::from);
+    data.input.language = args.language.unwrap_or(data.input.language);
     let extent = if args.full { Extent::Full } else { Extent::Short };
     let paper = match args.paper {
         PaperArg::A4 => Paper::A4,

@@ -9,6 +9,8 @@ use crate::driver::remesh::Remesh;
 use crate::driver::sequence::Sequence;
 use crate::driver::setup::Refinement;
 use bracket_base::diag::Diagnostics;
+use bracket_base::say;
+use bracket_base::words::Text;
 use bracket_engine::model::AnalysisKind;
 use bracket_engine::model::AnalysisModel;
 use bracket_engine::model::file::Bounds;
@@ -148,14 +150,14 @@ fn finish(
     let mut entry = joined(name, &entries)?;
     entry.history = entries.iter().flat_map(|e| rows(&e.entry, entry.is_strict())).collect();
     if let Some(last) = entries.last() {
-        let new: Vec<String> =
+        let new: Vec<Text> =
             last.entry.warnings.iter().filter(|w| !entry.warnings.contains(w)).cloned().collect();
-        entry.warnings.extend(new.into_iter().map(|w| format!("mesh {}: {w}", entries.len())));
+        entry.warnings.extend(new.into_iter().map(|w| say!("mesh {}: {}", entries.len(), w)));
     }
     if let (Some(gap), Some(adapt)) = (entry.gap, &refinement.adapt)
         && gap > adapt.target_gap
     {
-        entry.warnings.push(format!(
+        entry.warnings.push(say!(
             "the gap is {}, the target {}: {}",
             percent_up(gap),
             percent_up(adapt.target_gap),
@@ -191,16 +193,16 @@ fn shortfall(
     kind: AnalysisKind,
     refinement: &Refinement,
     limits: &Limits,
-) -> String {
+) -> Text {
     let max_passes = refinement.adapt.map_or(1, |a| a.max_passes);
     match stop {
         _ if limits.interrupt.asked() => "the run was interrupted".into(),
         Some(Stop::Passes) | None if max_passes == 1 => {
-            format!("a finer mesh is needed ({})", refinement.finer)
+            say!("a finer mesh is needed ({})", refinement.finer)
         }
         Some(Stop::Passes) => {
             let each = if kind == AnalysisKind::Limit { " for each bound" } else { "" };
-            format!("{max_passes} meshes were allowed{each} (`max_passes`)")
+            say!("{} meshes were allowed{} (`max_passes`)", max_passes, each)
         }
         Some(Stop::Tets) => "no mesh within `max_macro_tets` would reduce it much".into(),
         Some(Stop::Time) => "the remaining `time_limit` allows no further mesh".into(),
@@ -209,6 +211,6 @@ fn shortfall(
             "no element contributes to the gap, so no finer mesh reduces it".into()
         }
         Some(Stop::SameMesh) => "the remesher makes no finer mesh".into(),
-        Some(Stop::Target) | None => format!("a finer mesh is needed ({})", refinement.finer),
+        Some(Stop::Target) | None => say!("a finer mesh is needed ({})", refinement.finer),
     }
 }

@@ -2,6 +2,8 @@
 
 use crate::driver::remesh::Remesh;
 use bracket_base::diag::{Diagnostic, Diagnostics};
+use bracket_base::say;
+use bracket_base::words::Text;
 use bracket_engine::model::AnalysisModel;
 use bracket_engine::model::analysis::Traction;
 use bracket_engine::model::file::ModelFile;
@@ -47,8 +49,8 @@ pub fn refuse_idle(case: &Case) -> Result<(), Diagnostics> {
 }
 
 /// The warning about the cases that a run has not analysed, because it ended before.
-pub fn not_analysed(cases: &[String]) -> String {
-    format!("the run ended before all load cases: not analysed were {}", cases.join(", "))
+pub fn not_analysed(cases: &[String]) -> Text {
+    say!("the run ended before all load cases: not analysed were {}", cases.join(", "))
 }
 
 /// The stems of the file names of the cases. The kind of analysis is added if an earlier case has

@@ -11,6 +11,7 @@ use crate::driver::spec_context::{spec_checks, spec_context};
 use crate::driver::spec_file::{SpecFile, catalog_warning};
 use crate::driver::spec_input::SpecInput;
 use bracket_base::diag::Diagnostics;
+use bracket_base::words::Text;
 use bracket_codes::verdict::Verdict;
 use bracket_codes::{HandChecks, Judgement};
 use bracket_report::console::log::Log;
@@ -40,7 +41,7 @@ impl Checked {
     }
 
     /// Notes of the joint and of its checks, a sentence each.
-    pub fn notes(&self) -> &[String] {
+    pub fn notes(&self) -> &[Text] {
         &self.checks.notes
     }
 }

@@ -5,16 +5,18 @@ use crate::driver::passes::Kept;
 use crate::driver::pictures::{enlargement, png};
 use bracket_base::diag::Diagnostics;
 use bracket_base::math::vec3::{self, V3};
+use bracket_base::say;
+use bracket_base::words::Text;
 use bracket_engine::analysis::dispatch::AnalysisPass;
 use bracket_engine::analysis::limit::{LimitPass, SUBDIVISIONS};
 use bracket_engine::certify::limit_certificate::dissipation_densities;
 use bracket_engine::certify::velocity_field::VelocityField;
 use bracket_engine::mesh::TetMesh;
 use bracket_engine::model::AnalysisModel;
+use bracket_report::document::picture::PictureRef;
 use bracket_report::draw::raster::{Colours, Deformed, Field, PictureOptions, draw};
 use bracket_report::draw::section::{Plane, Section};
 use bracket_report::draw::whole::Whole;
-use bracket_report::markdown::report_data::PictureRef;
 use bracket_report::result::folder::ResultFolder;
 use bracket_report::words::Words;
 
@@ -49,17 +51,18 @@ pub fn collapse_pictures(
         Some(v) => quiet_axis(&v.nodes.u[..upper.model.mesh.nodes.len()]),
         None => 1,
     };
-    let mut add = |(kind, enlarged): (&str, &str), drawn: Drawn| -> Result<(), Diagnostics> {
-        let Some(drawn) = drawn else { return Ok(()) };
-        let (pictures, caption) = drawn?;
-        let captions = [caption, format!("Case {name}: {enlarged}")];
-        let files = [format!("{kind}_{stem}.png"), format!("zone_{kind}_{stem}.png")];
-        for ((file, bytes), caption) in files.into_iter().zip(pictures).zip(captions) {
-            folder.write(&file, &bytes)?;
-            out.push(PictureRef { file, caption });
-        }
-        Ok(())
-    };
+    let mut add =
+        |(kind, enlarged): (&str, &'static str), drawn: Drawn| -> Result<(), Diagnostics> {
+            let Some(drawn) = drawn else { return Ok(()) };
+            let (pictures, caption) = drawn?;
+            let captions = [caption, say!("Case {}: {}", name.to_owned(), enlarged)];
+            let files = [format!("{kind}_{stem}.png"), format!("zone_{kind}_{stem}.png")];
+            for ((file, bytes), caption) in files.into_iter().zip(pictures).zip(captions) {
+                folder.write(&file, &bytes)?;
+                out.push(PictureRef { file, caption, ..PictureRef::default() });
+            }
+            Ok(())
+        };
     if let Some(v) = velocity {
         add(
             ("mechanism", "the mechanism, enlarged"),
@@ -77,7 +80,7 @@ pub fn collapse_pictures(
 
 /// The bytes of a picture, those of its enlarged zone if it is small, and the caption; `None`:
 /// there is nothing to draw.
-type Drawn = Option<Result<(Vec<Vec<u8>>, String), Diagnostics>>;
+type Drawn = Option<Result<(Vec<Vec<u8>>, Text), Diagnostics>>;
 
 fn mechanism(
     pass: &LimitPass,
@@ -94,7 +97,7 @@ fn mechanism(
         Some([bodies, ..]) if bodies < LITTLE => {
             // the remaining plastic flow is rounding error and is not drawn
             densities.fill(0.0);
-            "welds and slip between bodies dissipate all, the parts do not flow".to_string()
+            "welds and slip between bodies dissipate all, the parts do not flow".into()
         }
         Some([bodies, welds, supports, ties]) => {
             let others = [
@@ -102,14 +105,14 @@ fn mechanism(
                 (supports, "by slip on supports"),
                 (ties, "by slip between bodies"),
             ];
-            format!(
+            say!(
                 "coloured by its dissipation: {}; half of that in the bodies has a density above 1",
                 by_body(model, &densities, bodies, &others)
             )
         }
         None => {
             densities.fill(0.0);
-            "nothing dissipates".to_string()
+            "nothing dissipates".into()
         }
     };
     let zones = Zones { densities, title: "dissipation density", colours: Colours::Fire, words };
@@ -118,9 +121,13 @@ fn mechanism(
         Err(e) => return Some(Err(e)),
     };
     let tets = model.mesh.tets.len();
-    let caption = format!(
-        "Case {name}: mechanism of the upper bound, {shown}. Mesh of {tets} tetrahedra, deformed \
-         not to scale{cut}; the grey lines are the edges at rest"
+    let caption = say!(
+        "Case {}: mechanism of the upper bound, {}. Mesh of {} tetrahedra, deformed not to \
+         scale{}; the grey lines are the edges at rest",
+        name.to_owned(),
+        shown,
+        tets,
+        cut
     );
     Some(Ok((pictures, caption)))
 }
@@ -147,9 +154,13 @@ fn limiting(
         Err(e) => return Some(Err(e)),
     };
     let tets = model.mesh.tets.len();
-    let caption = format!(
-        "Case {name}: zones that limit the lower bound, coloured where more strength would raise \
-         it: {bodies}; half of the gain has a density above 1. Mesh of {tets} tetrahedra{cut}"
+    let caption = say!(
+        "Case {}: zones that limit the lower bound, coloured where more strength would raise it: \
+         {}; half of the gain has a density above 1. Mesh of {} tetrahedra{}",
+        name.to_owned(),
+        bodies,
+        tets,
+        cut
     );
     Some(Ok((pictures, caption)))
 }
@@ -169,26 +180,25 @@ fn by_body(
     model: &AnalysisModel,
     densities: &[f64],
     of_bodies: f64,
-    others: &[(f64, &str)],
-) -> String {
+    others: &[(f64, &'static str)],
+) -> Text {
     let mesh = &model.mesh;
     let mut sums = vec![0.0; mesh.bodies.len()];
     for (e, d) in densities.iter().enumerate() {
         sums[mesh.tet_body[e] as usize] += d * mesh.volume(e);
     }
     let total: f64 = sums.iter().sum();
-    let mut places: Vec<(f64, String)> = sums
+    let mut places: Vec<(f64, Text)> = sums
         .iter()
         .zip(&mesh.bodies)
-        .map(|(s, body)| (of_bodies * s / total, format!("in {body}")))
-        .chain(others.iter().map(|(share, place)| (*share, place.to_string())))
+        .map(|(s, body)| (of_bodies * s / total, say!("in {}", body)))
+        .chain(others.iter().map(|(share, place)| (*share, (*place).into())))
         .collect();
     places.sort_by(|a, b| b.0.total_cmp(&a.0));
     let (most, least) = NAMED;
     let named = places.iter().take(most).enumerate().filter(|(i, p)| *i == 0 || p.0 >= least);
-    let words: Vec<String> =
-        named.map(|(_, (share, place))| format!("{:.0} % {place}", 100.0 * share)).collect();
-    words.join(", ")
+    let percent = |share: &f64| format!("{:.0}", 100.0 * share);
+    Text::joined(", ", named.map(|(_, (share, place))| say!("{} % {}", percent(share), place)))
 }
 
 /// The horizontal axis along which the least moves.
@@ -215,23 +225,26 @@ impl Zones<'_> {
         &self,
         (model, mirror, axis): (&AnalysisModel, &[usize], usize),
         displaced: Option<(&[V3], f64)>,
-    ) -> Result<(Vec<Vec<u8>>, String), Diagnostics> {
+    ) -> Result<(Vec<Vec<u8>>, Text), Diagnostics> {
         let whole = Whole::of(&model.mesh, mirror);
         let values = at_nodes(&model.mesh, &self.densities);
         let mut mesh = whole.mesh.clone();
         let mut values = whole.scalars(&values);
         let mut moved = displaced.map(|(u, _)| whole.vectors(u));
         let plane = self.plane(model, axis, mirror.contains(&axis));
-        let mut cut = String::new();
+        let mut cut = Text::default();
         if let Some(plane) = plane {
             let section = Section::of(&whole.mesh, plane);
             if !section.mesh.tets.is_empty() {
                 values = section.scalars(&values);
                 moved = moved.map(|u| section.vectors(&u));
                 mesh = section.mesh;
-                let side = if plane.removes_above { "beyond" } else { "before" };
-                let axis = ["x", "y", "z"][plane.axis];
-                cut = format!(", cut at {axis} = {:.0} mm, the part {side} is left out", plane.at);
+                let side = match plane.removes_above {
+                    true => "the part beyond is left out",
+                    false => "the part before is left out",
+                };
+                let at = format!("{} = {:.0} mm", ["x", "y", "z"][plane.axis], plane.at);
+                cut = say!(", cut at {}, {}", at, side);
             }
         }
         let front = match plane {
@@ -241,13 +254,13 @@ impl Zones<'_> {
         };
         let eye = view(axis, front);
         let field = Field {
-            name: &self.words.say(self.title),
-            unit: &self.words.say("relative"),
+            name: &self.words.say(&self.title.into()),
+            unit: &self.words.say(&"relative".into()),
             values: &values,
             range: Some([0.0, 1.0]),
             colours: self.colours,
         };
-        let caption = self.words.say("velocities, not to scale");
+        let caption = self.words.say(&"velocities, not to scale".into());
         let deformed = moved.as_ref().zip(displaced).map(|(u, (_, factor))| Deformed {
             displacement: u,
             factor,

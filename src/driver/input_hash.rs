@@ -5,7 +5,6 @@ use crate::driver::spec_context::own_rows;
 use crate::driver::spec_file::SpecFile;
 use bracket_base::diag::{Diagnostic, Diagnostics};
 use bracket_engine::model::AnalysisKind;
-use bracket_joint::assembly::Facts;
 use bracket_joint::geometry::Scene;
 use bracket_joint::geometry::geo_script::{Purpose, Sizing, script};
 use bracket_report::result::result_file::input_hash;
@@ -33,20 +32,21 @@ pub fn spec_hash(
     input_hash(&pieces)
 }
 
-/// Hash of the input of the hand checks. The end plate as passed to them contains the values of the
+/// Hash of the input of the hand checks. The facts as passed to them contain the values of the
 /// catalogue and the template.
 pub fn checked_hash(input: &SpecFile) -> Result<String, Diagnostics> {
     let fault = |e: serde_json::Error| {
         Diagnostic::environment("cli/check", format!("the joint cannot be written: {e}"))
     };
-    let facts = input.joint.facts.as_ref().map(|Facts::EndPlate(e)| e);
-    let seen = if input.catalog.own_tables().is_empty() {
-        serde_json::to_string(&facts).map_err(fault)?
-    } else {
-        let mut seen = serde_json::to_value(facts).map_err(fault)?;
-        without_files(&mut seen);
-        seen.to_string()
+    // the values without the name of their family
+    let mut seen = match serde_json::to_value(&input.joint.facts).map_err(fault)? {
+        Value::Object(family) => family.into_iter().next().map_or(Value::Null, |(_, of)| of),
+        none => none,
     };
+    if !input.catalog.own_tables().is_empty() {
+        without_files(&mut seen);
+    }
+    let seen = seen.to_string();
     Ok(input_hash(&[("spec", input.text.as_bytes()), ("joint", seen.as_bytes())]))
 }
 

@@ -54,11 +54,6 @@ fn certified(c: &CaseResult) -> bool {
         && given(ran(|h| h.static_.is_some()), c.lower.is_some())
 }
 
-/// The warning about a joint whose bolts may break before its rows yield.
-const NO_ROTATION: &str = "no rule of rotation capacity holds: the lower bound decides nothing, \
-                           and plastic global analysis may not rely on the rotation of the joint \
-                           (EN 1993-1-8:2005 6.4)";
-
 /// The result with what follows from its bounds and the hand checks. Of each case: utilisation,
 /// demand and joint stiffness; of the whole: checks and verdict.
 pub fn judged(mut result: ResultFile, checks: &HandChecks, demands: &[GivenActions]) -> ResultFile {
@@ -67,7 +62,11 @@ pub fn judged(mut result: ResultFile, checks: &HandChecks, demands: &[GivenActio
         let demand = demands.iter().find(|d| d.case == case.name);
         case.demand = demand.map(|d| Demand::new(case, d.actions.clone(), checks));
         if case.demand.as_ref().is_some_and(|d| d.brittle.is_some()) {
-            case.warnings.push(NO_ROTATION.into());
+            case.warnings.push(
+                "no rule of rotation capacity holds: the lower bound decides nothing, and plastic \
+                 global analysis may not rely on the rotation of the joint (EN 1993-1-8:2005 6.4)"
+                    .into(),
+            );
         }
         case.joint_stiffness = joint_stiffness(case, &checks.moments);
     }
@@ -114,7 +113,7 @@ fn analysed(result: &ResultFile, case: &String) -> Analysed {
     let asked = result.asked.iter().filter(|a| *a == case).count();
     let missing = match limit {
         Some(c) => c.lacking().filter(|_| verdict == Verdict::Undecided),
-        None => (entries().count() < asked).then(|| "its analysis was not run".to_owned()),
+        None => (entries().count() < asked).then(|| "its analysis was not run".into()),
     };
     // only the absence of a rule keeps a lower bound above the load from deciding
     let carried = |c: &CaseResult| c.is_strict() && c.factor_bounds().0 >= Some(1.0);

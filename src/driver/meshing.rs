@@ -3,6 +3,7 @@
 use crate::driver::interrupt::Interrupt;
 use crate::driver::spec_file::SpecFile;
 use bracket_base::diag::{Diagnostic, Diagnostics, number};
+use bracket_base::words::Text;
 use bracket_engine::mesh::gmsh::{Mesher, Until};
 use bracket_engine::mesh::quality::BodyQuality;
 use bracket_engine::model::AnalysisKind;
@@ -10,7 +11,7 @@ use bracket_joint::geometry::size::{HALF_THICKNESS, SizeRule};
 use bracket_joint::meshing::joint::{JointMesh, MeshOptions, mesh_joint};
 use bracket_joint::spec::analysis::{MeshSize, MeshSpec};
 use bracket_report::console::log::Log;
-use bracket_report::markdown::report_data::Table;
+use bracket_report::document::table::Table;
 use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
@@ -136,7 +137,8 @@ pub fn quality_table(rows: &[BodyQuality]) -> Table {
         "worst aspect ratio",
         "one-layer tets",
     ];
-    let columns = columns.into_iter().chain(mending.then_some("mended flat tets"));
+    let columns =
+        columns.into_iter().chain(mending.then_some("mended flat tets")).map(Text::from).collect();
     let rows = rows
         .iter()
         .map(|r| {
@@ -150,8 +152,8 @@ pub fn quality_table(rows: &[BodyQuality]) -> Table {
                 format!("{:.0} %", 100.0 * r.surface_only),
             ];
             row.extend(mending.then(|| r.mended.to_string()));
-            row
+            row.into_iter().map(Text::given).collect()
         })
         .collect();
-    Table { columns: columns.map(String::from).collect(), rows }
+    Table { columns, rows }
 }

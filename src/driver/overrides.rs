@@ -32,9 +32,9 @@ impl Overrides {
     pub fn resolved(&self) -> Vec<ResolvedValue> {
         let factor = Some(self.extent.size_factor).filter(|f| *f != 1.0);
         [
-            (KIND, self.kind.map(|k| k.word().to_string())),
-            ("analysis.max_passes", self.max_passes.map(|n| n.to_string())),
-            (SIZE_FACTOR, factor.map(|f| f.to_string())),
+            (KIND, self.kind.map(|k| k.word().into())),
+            ("analysis.max_passes", self.max_passes.map(|n| n.to_string().into())),
+            (SIZE_FACTOR, factor.map(|f| f.to_string().into())),
         ]
         .into_iter()
         .filter_map(|(name, value)| {

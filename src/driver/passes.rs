@@ -12,7 +12,7 @@ use bracket_engine::model::file::{Bounds, ModelFile};
 use bracket_engine::refine::plan::Prediction;
 use bracket_engine::solve::Patterns;
 use bracket_report::console::log::Log;
-use bracket_report::markdown::report_data::Table;
+use bracket_report::document::table::Table;
 use bracket_report::result::combine::{self, PassResult, best};
 use bracket_report::result::result_file::{CaseResult, FrictionModel, Predicted, SoFar};
 use std::sync::Arc;

@@ -3,9 +3,11 @@
 use crate::driver::passes::Kept;
 use bracket_base::diag::{Diagnostic, Diagnostics};
 use bracket_base::math::vec3::{self, V3};
+use bracket_base::say;
 use bracket_engine::analysis::dispatch::AnalysisPass;
 use bracket_engine::certify::fields::StressField;
 use bracket_engine::model::AnalysisModel;
+use bracket_report::document::picture::PictureRef;
 use bracket_report::draw::Picture;
 use bracket_report::draw::contact_map::contact_map;
 use bracket_report::draw::plot::{Plot, Series};
@@ -13,7 +15,6 @@ use bracket_report::draw::raster::{
     Colours, Deformed, Field, PictureOptions, completed, draw, draw_surface,
 };
 use bracket_report::figures::{self, Rounding};
-use bracket_report::markdown::report_data::PictureRef;
 use bracket_report::result::file_names::file_stem;
 use bracket_report::result::folder::ResultFolder;
 use bracket_report::result::forces::StaticForces;
@@ -44,12 +45,12 @@ pub fn mesh_pictures(
 ) -> Result<Vec<PictureRef>, Diagnostics> {
     let copies = if mirror.is_empty() { "" } else { ", completed by symmetry" };
     let surface = completed(&model.mesh, mirror);
-    let one = |(file, eye, seen): (&str, Option<V3>, &str)| {
+    let one = |(file, eye, seen): (&str, Option<V3>, &'static str)| {
         let mesh_lines = eye.is_none();
         let options = PictureOptions { eye, mesh_lines, ..PictureOptions::default() };
         folder.write(file, &png(&draw_surface(surface.clone(), &options))?)?;
-        let caption = format!("Mesh of {} tetrahedra{copies}{seen}", model.mesh.tets.len());
-        Ok(PictureRef { file: file.into(), caption })
+        let caption = say!("Mesh of {} tetrahedra{}{}", model.mesh.tets.len(), copies, seen);
+        Ok(PictureRef { file: file.into(), caption, ..PictureRef::default() })
     };
     VIEWS.into_iter().map(one).collect()
 }
@@ -68,13 +69,17 @@ pub fn contact_pictures(
     for pair in &forces.contacts {
         let Some(map) = contact_map(model, stress, pair, mirror) else { continue };
         let file = format!("contact_{stem}_{}.svg", file_stem(&pair.between.join("_")));
-        folder.write(&file, map.as_bytes())?;
-        let (between, factor) =
-            (pair.between.join(" on "), figures::significant(factor, 4, Rounding::Down));
-        let caption = format!(
-            "Case {name}: contact pressure of {between} at load factor {factor}, means of the faces"
+        let [a, b] = &pair.between;
+        let caption = say!(
+            "Case {}: contact pressure of {} on {} at load factor {}, means of the faces",
+            name.to_owned(),
+            a,
+            b,
+            figures::significant(factor, 4, Rounding::Down)
         );
-        out.push(PictureRef { file, caption });
+        let (picture, text) = map.picture(file, caption);
+        folder.write(&picture.file, text.as_bytes())?;
+        out.push(picture);
     }
     Ok(out)
 }
@@ -83,7 +88,7 @@ pub fn contact_pictures(
 pub fn convergence(
     entry: &CaseResult,
     target: Option<f64>,
-    stem: &str,
+    (stem, words): (&str, &Words),
     folder: &ResultFolder,
 ) -> Result<Option<PictureRef>, Diagnostics> {
     // meshes of one bound alternate: the size is that of the largest mesh so far
@@ -97,17 +102,18 @@ pub fn convergence(
         return Ok(None);
     }
     let plot = Plot {
-        title: format!("{}: gap between the bounds, mesh after mesh", entry.name),
+        title: say!("{}: gap between the bounds, mesh after mesh", &entry.name),
         x: "macro tets".into(),
         y: "gap [%]".into(),
         series: vec![Series { name: "adaptive".into(), points }],
         level: target.map(|t| (100.0 * t, "target".into())),
     };
     let file = format!("convergence_{stem}.png");
-    folder.write(&file, &png(&plot.picture())?)?;
+    folder.write(&file, &png(&plot.picture(words))?)?;
     Ok(Some(PictureRef {
         file,
-        caption: format!("Case {}: gap against the size of the mesh", entry.name),
+        caption: say!("Case {}: gap against the size of the mesh", &entry.name),
+        ..PictureRef::default()
     }))
 }
 
@@ -125,7 +131,7 @@ pub fn deformed_picture(
     let size: Vec<f64> = vertices.iter().map(|x| vec3::norm(*x)).collect();
     let Some(factor) = enlargement(&mesh.nodes, &size, VISIBLE) else { return Ok(None) };
     let field = Field {
-        name: &words.say("displacement"),
+        name: &words.say(&"displacement".into()),
         unit: "mm",
         values: &size,
         range: None,
@@ -138,14 +144,15 @@ pub fn deformed_picture(
         deformed: Some(Deformed {
             displacement: vertices,
             factor,
-            caption: &words.say(&format!("displacements × {factor}")),
+            caption: &words.say(&say!("displacements × {}", factor.to_string())),
         }),
         ..PictureOptions::default()
     };
     let file = format!("deformed_{stem}.png");
     folder.write(&file, &png(&draw(mesh, &options))?)?;
-    let caption = format!("Case {name}: deformed shape, {factor} times enlarged");
-    Ok(Some(PictureRef { file, caption }))
+    let caption =
+        say!("Case {}: deformed shape, {} times enlarged", name.to_owned(), factor.to_string());
+    Ok(Some(PictureRef { file, caption, ..PictureRef::default() }))
 }
 
 /// Largest displacement of a drawn elastic shape, over the size of the shape.

@@ -4,11 +4,15 @@ use crate::driver::context::RunContext;
 use crate::driver::interrupt::Interrupt;
 use crate::driver::judge::Judged;
 use bracket_base::diag::{Diagnostic, Diagnostics, ExitStatus, in_line};
+use bracket_base::say;
+use bracket_base::words::Collected;
 use bracket_report::console::answer::answer;
 use bracket_report::console::log::Log;
+use bracket_report::document::picture::PictureRef;
+use bracket_report::document::table::Table;
 use bracket_report::draw::{moment_rotation, polygon};
 use bracket_report::markdown::compose::report_markdown;
-use bracket_report::markdown::report_data::{PictureRef, REPORT_DATA_FILE, ReportData, Table};
+use bracket_report::markdown::report_data::{REPORT_DATA_FILE, ReportData};
 use bracket_report::page::scene::Scene;
 use bracket_report::page::{self, PAGE_FILE};
 use bracket_report::printed;
@@ -51,12 +55,11 @@ pub fn present(
 ) -> Result<Finished, Diagnostics> {
     let status = judged.status();
     if let Some(polygon) = &judged.result.polygon {
-        folder.write("polygon.svg", polygon::drawing(polygon).as_bytes())?;
-        let [a, b] = polygon.axes.each_ref().map(|a| a.action.as_str());
-        drawn.pictures.insert(
-            0,
-            PictureRef { file: "polygon.svg".into(), caption: format!("Capacity in {a} and {b}") },
-        );
+        let [a, b] = polygon.axes.each_ref().map(|a| &a.action);
+        let caption = say!("Capacity in {} and {}", a, b);
+        let (picture, text) = polygon::drawing(polygon).picture("polygon.svg", caption);
+        folder.write(&picture.file, text.as_bytes())?;
+        drawn.pictures.insert(0, picture);
     }
     let result = write(judged, context, drawn, &folder, log)?;
     // a request while the report was written counts too
@@ -103,7 +106,7 @@ fn write(
         folder.write(&drawing.file, text.as_bytes())?;
         input.drawings.push(drawing);
     }
-    let data = ReportData {
+    let mut data = ReportData {
         input,
         result,
         pictures: drawn.pictures,
@@ -111,6 +114,7 @@ fn write(
         model: models.traits,
         assumptions: Vec::new(),
         notes: models.notes,
+        words: Collected::new(),
     };
     folder.write("result.json", json.as_bytes())?;
     folder.write(REPORT_DATA_FILE, data.to_json()?.as_bytes())?;
@@ -126,7 +130,6 @@ fn write(
     folder.write("report.md", report.as_bytes())?;
     let mut scene = drawn.scene;
     scene.add_facts(&data.result);
-    scene.translate(&words);
     let picture = |name: &str| printed::picture(folder.path(), name, &words);
     let full = sheet(&data, &words, Extent::Full, Paper::A4);
     let html = page::page(&full, &scene, &words, picture)?;

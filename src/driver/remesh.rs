@@ -19,7 +19,7 @@ use bracket_joint::assembly::Joint;
 use bracket_joint::meshing::joint::{MeshOptions, mesh_joint};
 use bracket_joint::model_file;
 use bracket_report::console::log::Log;
-use bracket_report::markdown::report_data::Table;
+use bracket_report::document::table::Table;
 use std::time::{Duration, Instant};
 
 /// A mesh made by adaptation.

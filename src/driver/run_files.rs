@@ -15,7 +15,8 @@ use bracket_base::diag::{Diagnostic, Diagnostics};
 use bracket_engine::mesh::msh_write;
 use bracket_joint::meshing::joint::JointMesh;
 use bracket_joint::spec::connection::Language;
-use bracket_report::markdown::report_data::{PictureRef, Table};
+use bracket_report::document::picture::PictureRef;
+use bracket_report::document::table::Table;
 use bracket_report::page::scene::Scene;
 use bracket_report::result::folder::ResultFolder;
 use bracket_report::words::Words;
@@ -40,7 +41,7 @@ impl<'a> RunFiles<'a> {
     pub fn new(folder: &'a ResultFolder, language: Language, interrupt: &'a Interrupt) -> Self {
         Self {
             folder,
-            words: Words::new(language, []),
+            words: Words::new(language),
             interrupt,
             keep: false,
             mesh_quality: Table::default(),
@@ -107,7 +108,7 @@ impl RunSink for RunFiles<'_> {
         }
         pictures.extend(maps);
         let target = setup.refinement.adapt.map(|a| a.target_gap);
-        pictures.extend(convergence(entry, target, stem, folder)?);
+        pictures.extend(convergence(entry, target, (stem, &self.words), folder)?);
         Ok(())
     }
 }

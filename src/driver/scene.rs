@@ -5,6 +5,8 @@ use crate::driver::collapse_pictures::{at_nodes, limiting_densities};
 use crate::driver::passes::Kept;
 use bracket_base::math::mandel;
 use bracket_base::math::vec3;
+use bracket_base::say;
+use bracket_base::words::Text;
 use bracket_engine::analysis::dispatch::AnalysisPass;
 use bracket_engine::analysis::limit::SUBDIVISIONS;
 use bracket_engine::certify::faces::contact_faces;
@@ -41,7 +43,7 @@ pub fn add_case(
 fn kinematic(pass: &Kept) -> Vec<Field<'_>> {
     let model = &pass.model;
     let nodes = model.mesh.nodes.len();
-    let field = |title: &str, unit, values, colours, motion| Field {
+    let field = |title: &'static str, unit, values, colours, motion| Field {
         title: title.into(),
         unit,
         values,
@@ -71,21 +73,26 @@ fn kinematic(pass: &Kept) -> Vec<Field<'_>> {
 fn statics<'a>(pass: &'a Kept, stress: Option<(&StressField, f64)>) -> Vec<Field<'a>> {
     let model = &pass.model;
     let mut fields = Vec::new();
-    let mut add = |title: String, unit, values, colours, shown| {
+    let mut add = |title: Text, unit, values, colours, shown| {
         fields.push(Field { title, unit, values, colours, shown, motion: None });
     };
     if let Some((stress, factor)) = stress {
         let at = match &pass.outcome {
-            AnalysisPass::Energy(_) => String::new(),
-            AnalysisPass::Factor(_) => {
-                format!(" at load factor {}", significant(factor, 4, Rounding::Down))
-            }
+            AnalysisPass::Energy(_) => None,
+            AnalysisPass::Factor(_) => Some(significant(factor, 4, Rounding::Down)),
         };
         let corners = Values::Corners(von_mises(stress));
-        add(format!("von Mises stress{at}"), "MPa", corners, Colours::Spectrum, None);
+        let title = match &at {
+            None => "von Mises stress".into(),
+            Some(at) => say!("von Mises stress at load factor {}", at),
+        };
+        add(title, "MPa", corners, Colours::Spectrum, None);
         let faces = pressures(model, stress);
         if faces.iter().any(|f| f.1.iter().any(|p| *p > 0.0)) {
-            let title = format!("contact pressure{at}");
+            let title = match &at {
+                None => "contact pressure".into(),
+                Some(at) => say!("contact pressure at load factor {}", at),
+            };
             add(title, "MPa", Values::Faces(faces), Colours::Fire, None);
         }
     }
@@ -94,8 +101,8 @@ fn statics<'a>(pass: &'a Kept, stress: Option<(&StressField, f64)>) -> Vec<Field
     {
         let densities = limiting_densities(&model.mesh, share);
         let values = Values::Nodes(at_nodes(&model.mesh, &densities));
-        let title = "zones that limit the lower bound, relative".to_string();
-        add(title, "", values, Colours::Violet, Some([0.0, 1.0]));
+        let title = "zones that limit the lower bound, relative";
+        add(title.into(), "", values, Colours::Violet, Some([0.0, 1.0]));
     }
     fields
 }

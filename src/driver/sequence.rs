@@ -3,6 +3,7 @@
 use crate::driver::passes::{Mesh, Passes};
 use crate::driver::remesh::{Made, Remesh};
 use bracket_base::diag::Diagnostics;
+use bracket_base::say;
 use bracket_engine::analysis::memory::room;
 use bracket_engine::analysis::program::Program;
 use bracket_engine::model::AnalysisModel;
@@ -215,7 +216,7 @@ impl Passes<'_> {
                 log.line(format!("{name}: no further mesh: {why}"));
                 if let Some(e) = self.entries.last_mut().filter(|_| !self.limits.interrupt.asked())
                 {
-                    e.entry.warnings.push(format!("there was no finer mesh: {why}"));
+                    e.entry.warnings.push(say!("there was no finer mesh: {}", &why));
                 }
                 return Ok(Refined::Failed);
             }

@@ -1,6 +1,7 @@
 //! What the cases of a run share beside solver and limits: the joint as the meshes see it, and how
 //! far the meshes are refined.
 
+use bracket_base::words::Text;
 use bracket_engine::refine::plan;
 use bracket_joint::assembly::BoltLine;
 use bracket_joint::spec::polygon::PolygonSpec;
@@ -11,7 +12,7 @@ pub struct RunSetup {
     /// Hash of everything the result depends on.
     pub input_hash: String,
     /// Warnings that come with the input: the notes of the joint and of its checks.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Text>,
     /// Symmetry planes used (axes).
     pub mirror: Vec<usize>,
     /// Positions of the bolts.

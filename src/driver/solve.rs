@@ -9,6 +9,8 @@ use crate::driver::queue::Queue;
 use crate::driver::setup::RunSetup;
 use crate::driver::solved::{Models, RunSink, Solved, SolvedCase};
 use bracket_base::diag::Diagnostics;
+use bracket_base::say;
+use bracket_base::words::Text;
 use bracket_codes::verdict::Verdict;
 use bracket_engine::certify::faces::contact_faces;
 use bracket_engine::model::AnalysisModel;
@@ -82,7 +84,7 @@ fn complete(adapted: &mut Adapted, setup: &RunSetup) {
     let RunSetup { mirror, bolts, .. } = setup;
     let Adapted { entry, upper, lower, .. } = adapted;
     if upper.outcome.runs().iter().any(|(_, run)| run.refusal.is_some()) {
-        entry.warnings.push(format!(
+        entry.warnings.push(say!(
             "both bounds need {}, or more memory; `bounds` in a model file asks for one of them \
              alone",
             setup.refinement.coarser
@@ -97,15 +99,17 @@ fn complete(adapted: &mut Adapted, setup: &RunSetup) {
 }
 
 /// The warning about the analyses that ended without any bound.
-fn without_bounds(cases: &[CaseResult]) -> Option<String> {
+fn without_bounds(cases: &[CaseResult]) -> Option<Text> {
     let bare = cases.iter().filter(|c| c.lower.is_none() && c.upper.is_none());
-    let named: Vec<String> = bare
-        .map(|c| {
-            let why = c.ended_by().map_or_else(String::new, |s| format!(", {s}"));
-            format!("{} ({}{why})", c.name, c.analysis.word())
-        })
-        .collect();
-    (!named.is_empty()).then(|| format!("not analysed, without any bound: {}", named.join("; ")))
+    let named = bare.map(|c| {
+        let kind = c.analysis.word();
+        match c.ended_by() {
+            Some(status) => say!("{} ({}, {})", &c.name, kind, status),
+            None => say!("{} ({})", &c.name, kind),
+        }
+    });
+    let named = Text::joined("; ", named);
+    (!named.is_empty()).then(|| say!("not analysed, without any bound: {}", named))
 }
 
 /// Adds the traits and notes of a model to those of the run.

@@ -4,6 +4,7 @@ use crate::driver::adaptive::Adapted;
 use crate::driver::setup::RunSetup;
 use crate::driver::spec_file::SpecFile;
 use bracket_base::diag::Diagnostics;
+use bracket_base::words::Text;
 use bracket_engine::model::file::ModelFile;
 use bracket_joint::meshing::joint::JointMesh;
 use bracket_report::markdown::report_data::ModelTraits;
@@ -24,7 +25,7 @@ pub struct Models {
     /// Their properties.
     pub traits: ModelTraits,
     /// Decisions and remarks of the reader of the model file.
-    pub notes: Vec<String>,
+    pub notes: Vec<Text>,
 }
 
 impl Solved {

@@ -4,6 +4,8 @@ use crate::driver::context::RunContext;
 use crate::driver::demands::demands;
 use crate::driver::spec_file::SpecFile;
 use bracket_base::diag::Diagnostics;
+use bracket_base::say;
+use bracket_base::words::Text;
 use bracket_base::yaml;
 use bracket_codes::check::number;
 use bracket_codes::design_code::design_strengths;
@@ -14,14 +16,14 @@ use bracket_joint::assembly::assembly::{FaceSupport, Surface};
 use bracket_joint::spec::connection::ConnectionSpec;
 use bracket_joint::spec::loads::ActionPoint;
 use bracket_joint::strength::Design;
+use bracket_report::document::picture::PictureRef;
+use bracket_report::document::table::Table;
 use bracket_report::draw::contact_map::AXES;
 use bracket_report::draw::joint_drawings::JointDrawings;
 use bracket_report::markdown::demand::on_planes;
 use bracket_report::markdown::report_data::CatalogueRow;
 use bracket_report::markdown::report_data::InputFacts;
-use bracket_report::markdown::report_data::PictureRef;
 use bracket_report::markdown::report_data::ResolvedValue;
-use bracket_report::markdown::report_data::Table;
 use bracket_report::markdown::schedule;
 use serde_json::json;
 use std::path::Path;
@@ -106,7 +108,7 @@ fn plane_actions(input: &SpecFile) -> Table {
 
 /// The supports of the model, with the section that each holds.
 fn supports(assembly: &Assembly) -> Table {
-    let row = |support: &FaceSupport| -> Option<Vec<String>> {
+    let row = |support: &FaceSupport| -> Option<[Text; 4]> {
         let face = assembly.faces.iter().find(|f| f.name == support.face)?;
         let held: Vec<&str> =
             AXES.into_iter().zip(support.fix).filter(|(_, fix)| *fix).map(|(a, _)| a).collect();
@@ -114,12 +116,10 @@ fn supports(assembly: &Assembly) -> Table {
             Surface::Plane { axis, at, .. } => format!("{} = {} mm", AXES[axis], number(at)),
             Surface::Mantle { radius, .. } => format!("r = {} mm", number(radius)),
         };
-        Some(vec![face.name.clone(), face.part.clone(), place, held.join(" ")])
+        Some([face.name.clone(), face.part.clone(), place, held.join(" ")].map(Text::given))
     };
-    Table {
-        columns: ["support", "part", "section", "held along"].map(String::from).into(),
-        rows: assembly.supports.iter().filter_map(row).collect(),
-    }
+    let columns = ["support", "part", "section", "held along"];
+    Table::new(columns, assembly.supports.iter().filter_map(row))
 }
 
 /// The values of the joint with their origin.
@@ -127,7 +127,7 @@ fn resolved_values(input: &SpecFile) -> Vec<ResolvedValue> {
     let strength = |(name, fy): (String, Option<Design>)| {
         Some(ResolvedValue {
             name: format!("materials.{name}.fy"),
-            value: number(fy?.mpa()),
+            value: number(fy?.mpa()).into(),
             unit: "MPa".into(),
             origin: "yield strength in the analyses".into(),
         })
@@ -139,16 +139,18 @@ fn resolved_values(input: &SpecFile) -> Vec<ResolvedValue> {
         .iter()
         .map(|r| {
             // in a list every entry has its unit
-            let single = !r.value.starts_with('[');
-            let (value, unit) =
-                r.value.split_once(' ').filter(|_| single).unwrap_or((&r.value, ""));
+            let text = r.value.to_string();
+            let (value, unit) = match text.split_once(' ') {
+                Some((value, unit)) if !text.starts_with('[') => (Text::given(value), unit),
+                _ => (r.value.clone(), ""),
+            };
             let origin = match (&r.default, r.given) {
                 _ if r.origin.is_some() => r.origin.clone().unwrap_or_default(),
-                (_, true) => "given".to_string(),
-                (Some(expression), false) => format!("default `{expression}`"),
-                (None, false) => "default".to_string(),
+                (_, true) => "given".into(),
+                (Some(expression), false) => say!("default `{}`", expression),
+                (None, false) => "default".into(),
             };
-            ResolvedValue { name: r.name.clone(), value: value.into(), unit: unit.into(), origin }
+            ResolvedValue { name: r.name.clone(), value, unit: unit.into(), origin }
         })
         .chain(strengths)
         .collect()
@@ -178,11 +180,10 @@ fn catalogue_rows(input: &SpecFile) -> Vec<CatalogueRow> {
         let source = builtin.unwrap_or_else(|| {
             // for the user's own tables the report names file and line, so that the row can be
             // checked
-            let mut words =
-                vec![standard.to_string(), format!("{file} line {}", row["source"]["line"])];
-            words.extend(provenance.map(|p| p.read_from.clone()));
-            words.retain(|w| !w.is_empty());
-            words.join("; ")
+            let line = say!("{} line {}", file.to_owned(), row["source"]["line"].to_string());
+            let read_from = provenance.map(|p| Text::given(&p.read_from)).unwrap_or_default();
+            let standard = (!standard.is_empty()).then(|| Text::given(standard));
+            Text::joined("; ", [standard.unwrap_or_default(), line, read_from])
         });
         if !rows.iter().any(|r| r.kind == kind && r.name == *name) {
             rows.push(CatalogueRow { own, ..catalogue_row(kind, name, row, source) });
@@ -192,7 +193,12 @@ fn catalogue_rows(input: &SpecFile) -> Vec<CatalogueRow> {
 }
 
 /// Values of a catalogue row as the report shows them.
-fn catalogue_row(kind: &str, name: &str, row: serde_json::Value, source: String) -> CatalogueRow {
+fn catalogue_row(
+    kind: &'static str,
+    name: &str,
+    row: serde_json::Value,
+    source: Text,
+) -> CatalogueRow {
     let values = row.as_object().map_or(Vec::new(), |fields| {
         fields
             .iter()
@@ -232,9 +238,9 @@ mod tests {
         let rows = catalogue_rows(&input);
         let own: Vec<&CatalogueRow> = rows.iter().filter(|r| r.own).collect();
         assert_eq!(own.iter().map(|r| r.name.as_str()).collect::<Vec<_>>(), ["MY8.8"]);
-        assert!(own[0].source.ends_with("g.csv line 2"), "{}", own[0].source);
+        assert!(own[0].source.to_string().ends_with("g.csv line 2"), "{}", own[0].source);
         assert!(
-            rows.iter().any(|r| r.name == "HEB200" && r.source.starts_with("EN 10365")),
+            rows.iter().any(|r| r.name == "HEB200" && r.source.to_string().starts_with("EN 10365")),
             "{rows:#?}"
         );
     }

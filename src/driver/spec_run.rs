@@ -257,7 +257,7 @@ impl<'s> SpecRun<'s> {
         let asked = asked_cases(&self.input, &self.kinds, self.polygon());
         result.asked = asked.into_iter().map(|c| c.name).collect();
         result.warnings.push(not_analysed(&result.asked));
-        result.warnings.push(faults.first().message.clone());
+        result.warnings.push(faults.first().message.clone().into());
         Ok(solved)
     }
 

@@ -48,12 +48,12 @@ impl<'a> Asked<'a> {
     fn new(spec: &'a SpecFile, data: &ReportData) -> Result<Self, Diagnostics> {
         let option = |name: &str| {
             let mut given = data.input.resolved.iter();
-            given.find(|r| r.name == name && r.origin == COMMAND_LINE).map(|r| &r.value)
+            given.find(|r| r.name == name && r.origin == COMMAND_LINE).map(|r| r.value.to_string())
         };
         let word = option(KIND);
         let kinds = match word {
             // a word of no kind leaves no case, which the comparison refutes
-            Some(word) => KINDS.into_iter().filter(|k| k.word() == word).collect(),
+            Some(ref word) => KINDS.into_iter().filter(|k| k.word() == word).collect(),
             None => analysis_kinds(spec)?,
         };
         let limit = word.is_none() || kinds == [AnalysisKind::Limit];

@@ -25,8 +25,8 @@ pub fn content(token: &str) -> Option<String> {
     let body = token.trim_start_matches(['b', 'c', 'r', '#']).strip_prefix('"')?;
     let body = body.trim_end_matches('#').strip_suffix('"')?;
     // a line that goes on
-    let lines = body.split("\\\n").map(str::trim_start);
-    Some(lines.collect::<String>())
+    let (first, others) = body.split_once("\\\n").unwrap_or((body, ""));
+    Some(first.to_owned() + &others.split("\\\n").map(str::trim_start).collect::<String>())
 }
 
 /// The string literals of a source, without its tests.

@@ -179,7 +179,7 @@ impl Solved {
                 "{name}: {which} took {} iterations to its certificate",
                 r.iterations
             );
-            let mechanism = r.mechanism.as_deref().unwrap_or_default();
+            let mechanism = r.mechanism.clone().unwrap_or_default().to_string();
             assert!(mechanism.contains(part), "{name}: {which} {mechanism}");
         }
     }

@@ -10,4 +10,5 @@ pub mod later;
 pub mod math;
 pub mod text_file;
 pub mod units;
+pub mod words;
 pub mod yaml;

@@ -6,12 +6,13 @@ mod title;
 pub use check_id::CheckId;
 pub use title::Title;
 
-use crate::formula::{Derivation, Formula, Line, Number, Relation, Traced};
+use crate::formula::{Derivation, Line, Number, Relation, Traced, text_of};
 use crate::subject::Subject;
 pub use crate::unit::{Unit, number};
+use bracket_base::say;
 use bracket_base::units::limits;
+use bracket_base::words::Text;
 use serde::{Deserialize, Serialize};
-use std::borrow::Cow;
 
 /// What the formula of a check says whose demand or resistance is not finite.
 const NO_NUMBER: &str = "there is no such number, so that the check does not hold";
@@ -20,7 +21,7 @@ const NO_NUMBER: &str = "there is no such number, so that the check does not hol
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Step {
     /// Symbol of the code.
-    pub symbol: String,
+    pub symbol: Text,
     /// Value, internal unit.
     pub value: f64,
     /// Unit.
@@ -29,7 +30,7 @@ pub struct Step {
 
 impl Step {
     /// A length \[mm\].
-    pub fn length(symbol: &str, value: f64) -> Self {
+    pub fn length(symbol: impl Into<Text>, value: f64) -> Self {
         Self { symbol: symbol.into(), value, unit: Unit::Length }
     }
 }
@@ -99,7 +100,7 @@ pub struct Check {
     #[serde(flatten)]
     pub subject: Subject,
     /// Clause.
-    pub clause: String,
+    pub clause: Text,
     /// What it checks.
     #[serde(flatten)]
     pub title: Title,
@@ -144,10 +145,10 @@ impl Check {
     pub fn undecided(
         topic: Topic,
         subject: impl Into<Subject>,
-        clause: &str,
+        clause: impl Into<Text>,
         id: CheckId,
         why: impl Into<Derivation>,
-        step: &str,
+        step: impl Into<Text>,
     ) -> Self {
         let open = Self::assumption(topic, subject, clause, id, why);
         Self { status: Status::Undecided, binding: Binding::Beside, ..open }.decided_by(step)
@@ -155,14 +156,14 @@ impl Check {
 
     /// The check with names of the user that belong to its title.
     #[must_use]
-    pub fn naming(mut self, detail: String) -> Self {
+    pub fn naming(mut self, detail: Text) -> Self {
         self.title.detail = Some(detail);
         self
     }
 
     /// The check; if it is undecided, with what would decide it.
     #[must_use]
-    pub fn decided_by(mut self, step: &str) -> Self {
+    pub fn decided_by(mut self, step: impl Into<Text>) -> Self {
         if self.status == Status::Undecided {
             self.derivation.lines.push(Line::DecidedBy(step.into()));
         }
@@ -170,18 +171,16 @@ impl Check {
     }
 
     /// Why an undecided check is open, and what would decide it.
-    pub fn open(&self) -> Option<(String, &str)> {
+    pub fn open(&self) -> Option<(Text, &Text)> {
         let (last, why) = self.derivation.lines.split_last()?;
         match last {
-            Line::DecidedBy(step) if self.status == Status::Undecided => {
-                Some((Derivation { lines: why.to_vec() }.text(), step))
-            }
+            Line::DecidedBy(step) if self.status == Status::Undecided => Some((text_of(why), step)),
             _ => None,
         }
     }
 
     /// The formula with its numbers, as text.
-    pub fn formula(&self) -> String {
+    pub fn formula(&self) -> Text {
         self.derivation.text()
     }
 
@@ -189,7 +188,7 @@ impl Check {
     pub fn assumption(
         topic: Topic,
         subject: impl Into<Subject>,
-        clause: &str,
+        clause: impl Into<Text>,
         id: CheckId,
         what: impl Into<Derivation>,
     ) -> Self {
@@ -215,8 +214,8 @@ impl Check {
     /// resistance the provided one. `otherwise` is the status where it is too small.
     pub fn at_least(
         of: (Topic, impl Into<Subject>),
-        what: (&str, CheckId),
-        symbol: impl Into<Cow<'static, str>>,
+        what: (&'static str, CheckId),
+        symbol: impl Into<Text>,
         limit: impl Into<Traced>,
         provided: f64,
         otherwise: Status,
@@ -232,8 +231,8 @@ impl Check {
     /// the resistance the allowed one. `otherwise` is the status where it is too large.
     pub fn at_most(
         of: (Topic, impl Into<Subject>),
-        what: (&str, CheckId),
-        symbol: impl Into<Cow<'static, str>>,
+        what: (&'static str, CheckId),
+        symbol: impl Into<Text>,
         limit: impl Into<Traced>,
         provided: f64,
         otherwise: Status,
@@ -259,13 +258,12 @@ impl Check {
 
     fn limit(
         (topic, subject): (Topic, impl Into<Subject>),
-        (clause, id): (&str, CheckId),
-        (symbol, value, relation, limit): (Cow<'static, str>, f64, Relation, Traced),
+        (clause, id): (&'static str, CheckId),
+        (symbol, value, relation, limit): (Text, f64, Relation, Traced),
         (demand, resistance): (f64, f64),
         otherwise: Status,
     ) -> Self {
-        let limit = Formula::new("", limit, Unit::Length);
-        let formula = Line::Comparison { symbol, value, relation, limit };
+        let formula = Line::comparison(symbol, value, relation, limit, Unit::Length);
         let mut check = Self {
             unit: Unit::Length,
             status: Status::Ok,
@@ -317,28 +315,22 @@ impl Check {
         self
     }
 
-    /// Whether the formula begins with the demand: `V_wp,Ed = …; V_wp,Rd = …`.
-    fn formula_has_demand(&self) -> bool {
-        self.formula().split('=').next().is_some_and(|symbol| symbol.contains("Ed"))
-    }
-
     /// The check in a sentence.
-    pub fn sentence(&self) -> String {
-        let case = self.case.as_ref().map_or(String::new(), |c| format!("{c}, "));
-        let demand = match (&self.case, self.demand) {
-            // a formula that begins with the demand already has it
-            (Some(_), Some(ed)) if self.unit != Unit::Number && !self.formula_has_demand() => {
-                format!("{} against ", self.unit.show(ed))
-            }
-            _ => String::new(),
+    pub fn sentence(&self) -> Text {
+        let (subject, title) = (self.subject.text(), self.title.text());
+        let (formula, clause) = (self.formula(), &self.clause);
+        let Some(case) = &self.case else {
+            return say!("{}: {}: {} ({})", subject, title, formula, clause);
         };
-        format!(
-            "{case}{}: {}: {demand}{} ({})",
-            self.subject,
-            self.title,
-            self.formula(),
-            self.clause
-        )
+        // a formula that begins with the demand already has it
+        let demand =
+            self.demand.filter(|_| self.unit != Unit::Number && !self.derivation.has_demand());
+        match demand.map(|ed| self.unit.show(ed)) {
+            Some(ed) => {
+                say!("{}, {}: {}: {} against {} ({})", case, subject, title, ed, formula, clause)
+            }
+            None => say!("{}, {}: {}: {} ({})", case, subject, title, formula, clause),
+        }
     }
 }
 
@@ -379,11 +371,8 @@ mod tests {
         assert_eq!(check(23.99).status, Status::Failed);
         assert_eq!(check(f64::NAN).status, Status::Failed);
         assert!(check(23.99).utilisation.is_some_and(|u| u > 1.0));
-        assert!(
-            check(23.99).formula().contains("e1 = 23.99 mm < 1.2 d0 = 1.2 · 20 = 24 mm"),
-            "{}",
-            check(23.99).formula()
-        );
+        let formula = check(23.99).formula();
+        assert_eq!(formula, "e1 = 23.99 mm < 1.2 d0 = 1.2 · 20 = 24 mm");
         let (topic, what) = ((Topic::Welds, Part::BeamWeb), ("4.5.2", CheckId::LeastThroat));
         let throat = Check::at_least(topic, what, "a", 3.0, 6.0, Status::Failed);
         assert_eq!(throat.formula(), "a = 6 mm ≥ 3 mm");

@@ -1,11 +1,14 @@
 //! Reasons why a hand check cannot be made.
 
+use bracket_base::say;
+use bracket_base::words::Text;
+use std::fmt;
+
 /// A quantity for which the formulas have no meaning, or a joint that the tables of the code do not
 /// cover.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum CheckError {
     /// A quantity outside the range for which the formulas have a meaning.
-    #[error("{quantity} is {value}; {limit}")]
     OutOfRange {
         /// The quantity, with its unit.
         quantity: &'static str,
@@ -15,10 +18,9 @@ pub enum CheckError {
         limit: &'static str,
     },
     /// The tables of the code do not cover this joint.
-    #[error("{what} ({clause})")]
     NotCovered {
         /// The property that is not covered.
-        what: String,
+        what: Text,
         /// The clause whose limits are exceeded.
         clause: &'static str,
         /// What would bring the joint inside.
@@ -27,6 +29,16 @@ pub enum CheckError {
 }
 
 impl CheckError {
+    /// The reason as a report prints it.
+    pub fn text(&self) -> Text {
+        match self {
+            CheckError::OutOfRange { quantity, value, limit } => {
+                say!("{} is {}; {}", *quantity, value.to_string(), *limit)
+            }
+            CheckError::NotCovered { what, clause, .. } => say!("{} ({})", what, *clause),
+        }
+    }
+
     /// What would make the check possible.
     pub fn step(&self) -> &'static str {
         match self {
@@ -35,6 +47,14 @@ impl CheckError {
         }
     }
 }
+
+impl fmt::Display for CheckError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.text().fmt(f)
+    }
+}
+
+impl std::error::Error for CheckError {}
 
 /// Refuses a value that is not positive and finite.
 pub fn positive(quantity: &'static str, value: f64) -> Result<(), CheckError> {

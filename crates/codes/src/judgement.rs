@@ -16,6 +16,8 @@ pub use governing::Governing;
 use super::check::{Binding, Check, Status};
 use super::end_plate::HandChecks;
 use super::verdict::{Route, Verdict};
+use bracket_base::say;
+use bracket_base::words::Text;
 use serde::{Deserialize, Serialize};
 
 /// The verdict on a load case, or on all of them.
@@ -32,7 +34,7 @@ pub struct Judgement {
     /// By strict bounds; none where no analysis brackets a resistance.
     pub by_analysis: Verdict,
     /// Reason, in a sentence. Of `undecided`: the first missing step, and what would supply it.
-    pub reason: String,
+    pub reason: Text,
     /// Check or bound that governs; absent where none has a utilisation.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub governing: Option<Governing>,
@@ -124,12 +126,12 @@ fn together(each: &[Judgement], cases: &[Analysed]) -> Judgement {
     let speaker = (0..each.len())
         .filter(|&i| each[i].verdict == verdict)
         .reduce(|a, b| if used(&each[b]) > used(&each[a]) { b } else { a });
-    let mut reason = speaker.map_or_else(String::new, |i| each[i].reason.clone());
+    let mut reason = speaker.map_or_else(Text::default, |i| each[i].reason.clone());
     let others =
         cases.iter().enumerate().filter(|(i, a)| Some(*i) != speaker && a.missing.is_some());
     let others: Vec<&str> = others.map(|(_, a)| a.case.as_str()).collect();
     if !others.is_empty() {
-        reason += &format!("; without a lower bound: {}", others.join(", "));
+        reason = say!("{}; without a lower bound: {}", reason, others.join(", "));
     }
     let mut routes = each.iter().filter_map(|j| j.route);
     let proved = verdict == Verdict::Ok;

@@ -4,13 +4,17 @@ use super::check::{Check, Topic};
 use super::end_plate::{HandChecks, hand_checks};
 use super::worked::Worked;
 use crate::check::{CheckId, Status, Unit};
+use crate::design_code::DesignCode;
 use crate::formula::Traced;
 use crate::subject::Part;
 use bracket_joint::assembly::{Facts, Idle, Joint};
 
 /// The hand checks of a joint, with those of the load cases in which nothing acts.
 pub fn joint_checks(joint: &Joint) -> HandChecks {
-    let mut out = joint.facts.as_ref().map(of_family).unwrap_or_default();
+    let of_code = match DesignCode::of(joint) {
+        DesignCode::En1993_2005(_) => of_family,
+    };
+    let mut out = joint.facts.as_ref().map(of_code).unwrap_or_default();
     let demands = || joint.idle.iter().filter(|i| i.demand);
     out.checks.extend(demands().map(nothing_acts));
     out.checks.sort_by_key(|c| c.topic);
@@ -20,7 +24,7 @@ pub fn joint_checks(joint: &Joint) -> HandChecks {
     out
 }
 
-/// The hand checks of a family of connections.
+/// The hand checks of a family of connections by EN 1993.
 fn of_family(facts: &Facts) -> HandChecks {
     match facts {
         Facts::EndPlate(e) => hand_checks(e),

@@ -3,7 +3,7 @@
 use super::check::{Binding, Check, CheckId, Status, Step, Topic, Unit};
 use super::formula::{Derivation, Formula, Line, Number, Traced};
 use crate::subject::Subject;
-use std::borrow::Cow;
+use bracket_base::words::Text;
 
 /// A value computed by a formula of the code, with its derivation.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,7 +27,7 @@ impl Worked {
     pub fn of(
         clause: &'static str,
         id: CheckId,
-        symbol: impl Into<Cow<'static, str>>,
+        symbol: impl Into<Text>,
         of: Traced,
         unit: Unit,
     ) -> Self {
@@ -38,7 +38,7 @@ impl Worked {
 
     /// Adds an intermediate value.
     #[must_use]
-    pub fn with(mut self, symbol: &str, value: f64, unit: Unit) -> Self {
+    pub fn with(mut self, symbol: impl Into<Text>, value: f64, unit: Unit) -> Self {
         self.steps.push(Step { symbol: symbol.into(), value, unit });
         self
     }
@@ -47,7 +47,7 @@ impl Worked {
     #[must_use]
     pub fn with_symbols<const N: usize>(mut self, symbols: [&Traced; N]) -> Self {
         for (symbol, value, unit) in symbols.into_iter().flat_map(|s| s.term().symbols()) {
-            self = self.with(symbol, value, unit);
+            self = self.with(symbol.clone(), value, unit);
         }
         self
     }
@@ -68,7 +68,7 @@ impl Worked {
 
     /// A further formula whose value takes the place of this one.
     #[must_use]
-    pub fn becomes(mut self, symbol: impl Into<Cow<'static, str>>, of: Traced) -> Self {
+    pub fn becomes(mut self, symbol: impl Into<Text>, of: Traced) -> Self {
         self.value = of.value();
         self.derivation = self.derivation.then(Formula::new(symbol, of, self.unit));
         self
@@ -81,13 +81,13 @@ impl Worked {
     }
 
     /// The derivation as text.
-    pub fn formula(&self) -> String {
+    pub fn formula(&self) -> Text {
         self.derivation.text()
     }
 
-    /// The intermediate value with a symbol.
+    /// The intermediate value with a symbol of the code.
     pub fn step(&self, symbol: &str) -> Option<f64> {
-        self.steps.iter().find(|s| s.symbol == symbol).map(|s| s.value)
+        self.steps.iter().find(|s| s.symbol.id == symbol).map(|s| s.value)
     }
 
     /// The value as information, without a demand. A value that is not finite is left out, and so

@@ -1,6 +1,7 @@
 //! The result of a run: its data and files, and the text and pictures made from it.
 
 pub mod console;
+pub mod document;
 pub mod draw;
 pub mod escaped;
 pub mod figures;

@@ -1,12 +1,15 @@
 //! Output of a study of speed against error: table, CSV and plots.
 
+use crate::document::markdown::inline;
 use crate::draw::plot::{Plot, Series};
 use crate::escaped::csv_cell;
 use crate::figures::{Rounding, fixed, percent_up};
-use crate::markdown::markup::inline;
 use crate::result::result_file::RESIDUAL_TOLERANCE;
 use crate::result::study::{Meshes, Row, Study};
+use crate::words::Words;
 use bracket_base::diag::{Diagnostic, Diagnostics, visible};
+use bracket_base::say;
+use bracket_base::words::Text;
 use bracket_engine::mesh::mesher_error::MesherError;
 use bracket_engine::mesh::msh_write::write_whole;
 use std::fmt::Write;
@@ -16,12 +19,12 @@ use std::path::Path;
 pub const MARK: &str = "study.csv";
 
 impl Row {
-    fn series(&self) -> String {
+    fn series(&self) -> Text {
         let meshes = match self.meshes {
             Meshes::Uniform => "uniform",
             Meshes::Adaptive => "adaptive",
         };
-        format!("{meshes}, {}", self.solver)
+        say!("{}, {}", meshes, &self.solver)
     }
 }
 
@@ -44,7 +47,7 @@ impl Study {
         for r in &self.rows {
             let cells = [
                 format!("{} ({})", inline(&r.case), r.analysis.word()),
-                r.series(),
+                r.series().to_string(),
                 r.mesh.to_string(),
                 fixed(r.macro_tets as f64, 0, Rounding::Nearest),
                 fixed(r.dofs as f64, 0, Rounding::Nearest),
@@ -91,7 +94,7 @@ impl Study {
 
     /// A plot for each load case, kind of analysis and abscissa, with the stem of its file.
     fn plots(&self) -> Vec<(String, Plot)> {
-        let mut cases: Vec<(&str, &str)> = Vec::new();
+        let mut cases: Vec<(&str, &'static str)> = Vec::new();
         for r in &self.rows {
             let case = (&r.case[..], r.analysis.word());
             if !cases.contains(&case) {
@@ -119,8 +122,8 @@ impl Study {
                     }
                 }
                 let plot = Plot {
-                    title: format!("{} ({})", case.0, case.1),
-                    x: x.to_string(),
+                    title: say!("{} ({})", case.0.to_owned(), case.1),
+                    x: (*x).into(),
                     y: "certified gap [%]".into(),
                     series,
                     level: Some((100.0 * self.target_gap, "target".into())),
@@ -142,9 +145,9 @@ impl Study {
             self.markdown()
         );
         for (stem, plot) in self.plots() {
-            write_whole(&folder.join(format!("{stem}.svg")), &plot.svg())?;
+            write_whole(&folder.join(format!("{stem}.svg")), &plot.svg().file)?;
             let path = folder.join(format!("{stem}.png"));
-            let bytes = plot.picture().to_png().map_err(|e| {
+            let bytes = plot.picture(&Words::default()).to_png().map_err(|e| {
                 Diagnostic::environment(
                     "report/picture",
                     format!("the picture cannot be encoded: {e}"),

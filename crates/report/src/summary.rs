@@ -3,6 +3,7 @@
 use crate::figures::{Rounding, significant, utilisation};
 use crate::result::result_file::Quantity;
 use crate::result::result_file::{CaseResult, ResultFile};
+use bracket_base::words::Text;
 use bracket_codes::Governing;
 use bracket_codes::verdict::Verdict;
 use bracket_codes::{Check, CheckId, Status, Topic, Unit};
@@ -58,12 +59,12 @@ impl From<Verdict> for Tone {
 }
 
 /// A row of the summary of checks.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct SummaryRow {
     /// Load case, or `all`.
-    pub case: String,
+    pub case: Text,
     /// Check and place.
-    pub check: String,
+    pub check: Text,
     /// Demand with its unit.
     pub demand: String,
     /// Resistance with its unit.
@@ -71,28 +72,25 @@ pub struct SummaryRow {
     /// Demand over resistance.
     pub utilisation: String,
     /// Clause.
-    pub clause: String,
+    pub clause: Text,
     /// Status.
-    pub status: String,
+    pub status: Text,
     /// Its colour.
     pub tone: Tone,
     /// What it is about.
-    #[serde(skip)]
     pub kind: RowKind,
     /// True for a row that governs.
     pub governs: bool,
     /// Utilisation by which it may govern; absent if the row decides nothing.
-    #[serde(skip)]
     pub governs_by: Option<f64>,
     /// Utilisation by which it is sorted.
-    #[serde(skip)]
     pub size: f64,
 }
 
 impl SummaryRow {
     /// True for the row of what governs the verdict.
     fn is(&self, g: &Governing) -> bool {
-        let here = g.case.as_deref().is_none_or(|case| case == self.case);
+        let here = g.case.as_ref().is_none_or(|case| self.case == Text::given(case));
         let same = self.check == g.what || self.kind == RowKind::Bracket;
         here && same && self.clause == g.clause
     }
@@ -159,7 +157,7 @@ fn bracket_row(case: &CaseResult) -> Option<SummaryRow> {
     let undecided = (demand.by_analysis == Verdict::Undecided).then_some(1.0);
     let governs_by = case.utilisation.map(|u| u[1]).or(undecided);
     Some(SummaryRow {
-        case: case.name.clone(),
+        case: Text::given(&case.name),
         check: "joint at collapse, load factor".into(),
         demand: "1".into(),
         resistance: bounds,
@@ -231,8 +229,8 @@ fn row(c: &Check) -> SummaryRow {
     let strength = decides && !kept;
     let used = c.utilisation.unwrap_or(f64::INFINITY);
     SummaryRow {
-        case: c.case.clone().unwrap_or_else(|| "all".into()),
-        check: format!("{}, {}", c.title, c.subject),
+        case: c.case.as_ref().map_or_else(|| "all".into(), Text::given),
+        check: Text::joined(", ", [c.title.text(), c.subject.text()]),
         demand,
         resistance,
         utilisation: used_words(c),

@@ -331,7 +331,7 @@ fn capacities_do_not_depend_on_how_the_load_is_written() {
         let table = bench.read("sweep/tables.md");
         for row in &rows {
             let moment = row["M_j_Rd_kNm"].as_f64().expect("M_j,Rd");
-            let shown = format!("*{:.1}*", (10.0 * moment).floor() / 10.0);
+            let shown = format!("({:.1})", (10.0 * moment).floor() / 10.0);
             assert!(table.contains(&shown), "{shown} in {table}");
         }
         table

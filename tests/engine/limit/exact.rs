@@ -225,7 +225,7 @@ fn mechanisms_at_zero_load() {
         let m = lifted(traction, 0.5, "");
         let pass = run(&m);
         let free = pass.free.as_ref().unwrap_or_else(|| panic!("{traction}"));
-        assert!(pass.moves.as_ref().unwrap().contains("part B"), "{:?}", pass.moves);
+        assert!(pass.moves.as_ref().unwrap().to_string().contains("part B"), "{:?}", pass.moves);
         let lower = pass.lower.as_ref().unwrap();
         assert!(lower.value() == 0.0 && lower.is_strict() && pass.upper.is_none());
         let c = certify_free(&m, &free.field);

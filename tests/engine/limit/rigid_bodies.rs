@@ -369,5 +369,6 @@ fn wrong_rigid_bodies_are_refused() {
     }
     let mesh = shape.mesh(&["A", "B"], |c| usize::from(c[0] > 10.0), |_, _| true);
     let sound = solved::resolve_as("limit", good, mesh).unwrap();
-    assert_eq!(sound.notes, ["limit analysis: the body without `fy` is rigid: B"]);
+    let notes: Vec<String> = sound.notes.iter().map(ToString::to_string).collect();
+    assert_eq!(notes, ["limit analysis: the body without `fy` is rigid: B"]);
 }

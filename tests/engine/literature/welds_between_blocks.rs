@@ -64,7 +64,7 @@ fn pulled_beyond_the_strength() {
         println!("{:?} after {}: {:?}", r.status, r.iterations, r.mechanism);
         assert_eq!(r.status, SolveStatus::Unbounded);
         assert!(
-            r.mechanism.as_ref().is_some_and(|m| m.contains("part B moves along +x")),
+            r.mechanism.as_ref().is_some_and(|m| m.to_string().contains("part B moves along +x")),
             "{:?}",
             r.mechanism
         );

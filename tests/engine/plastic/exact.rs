@@ -147,7 +147,7 @@ fn bar_below_and_beyond_its_strength() {
                 r.mechanism
             );
             assert_eq!(r.status, SolveStatus::Unbounded, "{}", program.name());
-            let words = r.mechanism.as_deref().unwrap_or_default();
+            let words = r.mechanism.clone().unwrap_or_default().to_string();
             assert!(
                 words.contains("body `B` (100 % of the dissipation) yields without end"),
                 "{words}"

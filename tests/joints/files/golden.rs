@@ -7,14 +7,14 @@ use bracket::checks::formula::{Number, Traced};
 use bracket::checks::subject::{Part, Place};
 use bracket::checks::{Check, CheckId, Judgement, Status, Topic, Unit, Worked};
 use bracket::model::AnalysisKind;
+use bracket::report::document::picture::PictureRef;
+use bracket::report::document::table::Table;
 use bracket::report::markdown::compose::report_markdown;
 use bracket::report::markdown::report_data::CatalogueRow;
 use bracket::report::markdown::report_data::InputFacts;
 use bracket::report::markdown::report_data::ModelTraits;
-use bracket::report::markdown::report_data::PictureRef;
 use bracket::report::markdown::report_data::ReportData;
 use bracket::report::markdown::report_data::ResolvedValue;
-use bracket::report::markdown::report_data::Table;
 use bracket::result::result_file::CaseResult;
 use bracket::result::result_file::Certificate;
 use bracket::result::result_file::FrictionModel;
@@ -28,6 +28,7 @@ use bracket::result::result_file::ResultFile;
 use bracket::result::result_file::Tool;
 use bracket::result::result_file::Upper;
 use bracket::result::result_file::Verdict;
+use bracket::words::Text;
 use std::path::Path;
 
 fn compare(name: &str, text: &str) {
@@ -219,28 +220,33 @@ fn data() -> ReportData {
         drawings: vec![PictureRef {
             file: "drawing.svg".into(),
             caption: "Side view of the joint".into(),
+            ..PictureRef::default()
         }],
         schedule: Table {
-            columns: ["part", "number", "all [kg]"].map(String::from).to_vec(),
-            rows: vec![["bolt", "12", "4.35"].map(String::from).to_vec()],
+            columns: ["part", "number", "all [kg]"].map(Text::given).to_vec(),
+            rows: vec![["bolt", "12", "4.35"].map(Text::given).to_vec()],
         },
         butt_welds: false,
         welds: Table {
-            columns: ["weld", "seams", "all [mm]"].map(String::from).to_vec(),
-            rows: vec![["beam web", "2", "542"].map(String::from).to_vec()],
+            columns: ["weld", "seams", "all [mm]"].map(Text::given).to_vec(),
+            rows: vec![["beam web", "2", "542"].map(Text::given).to_vec()],
         },
         supports: Table {
-            columns: ["support", "part", "section", "held along"].map(String::from).to_vec(),
-            rows: vec![["FOOT", "COLUMN", "z = -300 mm", "x y z"].map(String::from).to_vec()],
+            columns: ["support", "part", "section", "held along"].map(Text::given).to_vec(),
+            rows: vec![["FOOT", "COLUMN", "z = -300 mm", "x y z"].map(Text::given).to_vec()],
         },
     };
     ReportData {
         input,
         result: result(),
-        pictures: vec![PictureRef { file: "mesh.png".into(), caption: "The meshed joint".into() }],
+        pictures: vec![PictureRef {
+            file: "mesh.png".into(),
+            caption: "The meshed joint".into(),
+            ..PictureRef::default()
+        }],
         mesh_quality: Table {
-            columns: ["body", "tets", "least dihedral [°]"].map(String::from).to_vec(),
-            rows: vec![["COLUMN", "3120", "11.2"].map(String::from).to_vec()],
+            columns: ["body", "tets", "least dihedral [°]"].map(Text::given).to_vec(),
+            rows: vec![["COLUMN", "3120", "11.2"].map(Text::given).to_vec()],
         },
         model: ModelTraits {
             contact: true,
@@ -251,6 +257,7 @@ fn data() -> ReportData {
         },
         assumptions: vec!["One bolt head of each pair is glued to its plate.".into()],
         notes: vec![],
+        words: Default::default(),
     }
 }
 

@@ -29,8 +29,14 @@ impl Compared {
 
 /// Where a formula as printed, with all digits or with symbols, does not give its value to 1e-12.
 fn difference(formula: &Formula) -> Option<String> {
+    let symbols: Vec<(String, f64)> = formula
+        .term
+        .symbols()
+        .into_iter()
+        .map(|(name, value, _)| (name.to_string(), value))
+        .collect();
     let symbols: Vec<(&str, f64)> =
-        formula.term.symbols().into_iter().map(|(name, value, _)| (name, value)).collect();
+        symbols.iter().map(|(name, value)| (&name[..], *value)).collect();
     let exact = (formula.term.print(Style::Exact), &[][..]);
     let by_symbols = (formula.term.print(Style::Symbols), &symbols[..]);
     // the symbols of a sum over rows are those of its first row

@@ -209,7 +209,7 @@ fn checks(text: &str, catalog: &Catalog) -> Result<HandChecks, String> {
         .unwrap_or_else(|e| panic!("{e:?}: {text}"));
     let joint =
         build(&spec, Path::new(""), catalog).map_err(|faults| faults.into_first().message)?;
-    Ok(joint.facts.as_ref().map(|Facts::EndPlate(e)| hand_checks(e)).expect("an end plate"))
+    Ok(joint.facts.as_ref().and_then(Facts::end_plate).map(hand_checks).expect("an end plate"))
 }
 
 fn near(a: f64, b: f64) -> bool {
@@ -257,7 +257,7 @@ fn units_change_no_verdict_and_no_number() {
         assert_eq!(one.verdict, two.verdict, "{}\n{}\n{plain}{other}", one.reason, two.reason);
         verdicts[one.verdict as usize % 4] += 1;
         let titles = |h: &HandChecks| -> Vec<(String, String)> {
-            h.checks.iter().map(|c| (c.title.text(), c.subject.text())).collect()
+            h.checks.iter().map(|c| (c.title.to_string(), c.subject.to_string())).collect()
         };
         let (left, right) = (titles(&a), titles(&b));
         let single = |a: &[(String, String)], b: &[(String, String)]| {

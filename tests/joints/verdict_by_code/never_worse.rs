@@ -31,7 +31,7 @@ fn no_analysis_makes_a_joint_worse_than_its_checks_unless_it_proves_collapse() {
         let factor = n.between(0.3, 1.6);
         let hand = with(factor * resistance, -n.between(0.0, 50e3)).expect("the same joint");
         let alone = judge(&mut hand.clone(), &[Analysed::not("A")]).0;
-        let missing = |text: &str| Some(text.to_owned());
+        let missing = |text: &'static str| Some(text.into());
         let bracket = |low: f64, up: f64| Some([1.0 / up, 1.0 / low]);
         for a in [
             // not run, cut off, an upper bound alone, wide, wide without a rule, brittle

@@ -1,6 +1,8 @@
 //! The title of a check.
 
 use super::check_id::CheckId;
+use bracket_base::say;
+use bracket_base::words::Text;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
@@ -11,22 +13,22 @@ pub struct Title {
     /// What is checked.
     pub id: CheckId,
     /// Names of parts of a template, which follow the title.
-    pub detail: Option<String>,
+    pub detail: Option<Text>,
 }
 
 impl Title {
-    /// The title in English, as a report prints it.
-    pub fn text(&self) -> String {
+    /// The title as a report prints it.
+    pub fn text(&self) -> Text {
         match &self.detail {
-            Some(detail) => format!("{}: {detail}", self.id.title()),
-            None => self.id.title().to_owned(),
+            Some(detail) => say!("{}: {}", self.id.title(), detail),
+            None => self.id.title().into(),
         }
     }
 }
 
 impl fmt::Display for Title {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.text())
+        self.text().fmt(f)
     }
 }
 
@@ -45,7 +47,7 @@ struct Record {
 
 impl From<Title> for Record {
     fn from(of: Title) -> Self {
-        Self { title: of.text(), id: of.id }
+        Self { title: of.text().to_string(), id: of.id }
     }
 }
 
@@ -57,8 +59,8 @@ impl From<Record> for Title {
             if rest.is_empty() { Some(None) } else { rest.strip_prefix(": ").map(Some) }
         }) {
             Some(None) => None,
-            Some(Some(detail)) => Some(detail.to_owned()),
-            None => Some(format!("the file says `{title}`")),
+            Some(Some(detail)) => Some(Text::given(detail)),
+            None => Some(say!("the file says `{}`", title)),
         };
         Self { id, detail }
     }

@@ -10,7 +10,7 @@ use super::t_stub::Mode;
 use super::{beam, stiffness};
 use crate::check::{CheckId, Unit, within};
 use crate::error::CheckError;
-use crate::formula::{Formula, Style, Traced};
+use crate::formula::{Formula, Traced};
 use crate::subject::Part;
 use crate::worked::Worked;
 use bracket_joint::assembly::Way;
@@ -324,7 +324,7 @@ fn limits(
         let mut worked = panel.clone();
         if joint.beta != 1.0 {
             let each = worked.traced() / Traced::number("β", joint.beta);
-            let symbol = each.term().print(Style::Symbols);
+            let symbol = each.term().text();
             worked = worked.becomes(symbol, each);
         }
         out.push(Limit { of: Summed::Panel, worked });

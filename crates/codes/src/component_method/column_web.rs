@@ -14,12 +14,6 @@ pub const STIFFENER_SLENDERNESS: f64 = 13.0;
 /// Plate slenderness λ̄_p up to which a web in compression does not buckle, 6.2.6.2(1).
 const STOCKY: f64 = 0.72;
 
-/// A slenderness that exceeds its limit, as a part of a derivation.
-pub(super) fn exceeds(symbol: &'static str, value: f64, limit: Traced) -> Line {
-    let (symbol, limit) = (symbol.into(), Formula::new("", limit, Unit::Number));
-    Line::Comparison { symbol, value, relation: Relation::Above, limit }
-}
-
 /// Reduction ω of the web for its interaction with shear in the panel.
 ///
 /// β ≤ 0.5: 1; β = 1: ω1 = 1/√(1 + 1.3 (b_eff t_wc/A_vc)²); β = 2: ω2 with 5.2 in place of 1.3;
@@ -214,11 +208,13 @@ impl CompressedWeb {
     }
 
     /// The reason `words` why a web buckles, with its slenderness and its reduction ρ < 1.
-    pub(super) fn buckles(&self, words: &str) -> Derivation {
+    pub(super) fn buckles(&self, words: &'static str) -> Derivation {
         let slenderness = self.slenderness();
         let rho = plate_buckling(Traced::number("λ̄_p", slenderness));
         let rho = Formula::new("ρ", rho, Unit::Number);
-        Derivation::from(words).then(exceeds("λ̄_p", slenderness, STOCKY.into())).then(rho)
+        let (limit, relation) = (STOCKY.into(), Relation::Above);
+        let beyond = Line::comparison("λ̄_p", slenderness, relation, limit, Unit::Number);
+        Derivation::from(words).then(beyond).then(rho)
     }
 
     /// Reduction k_wc for the longitudinal stress: 1 up to 0.7 f_y, then 1.7 − σ_com/f_y.

@@ -2,6 +2,8 @@
 
 use crate::check::CheckId;
 use crate::subject::Part;
+use bracket_base::say;
+use bracket_base::words::Text;
 use std::fmt;
 
 /// A component that rows in tension share.
@@ -80,20 +82,23 @@ impl LimitedBy {
             LimitedBy::Elastic(_) | LimitedBy::Sum(_) => None,
         }
     }
+
+    /// What limits the force, as a report prints it.
+    pub fn text(self) -> Text {
+        match self {
+            LimitedBy::Row(component) => component.words().into(),
+            LimitedBy::Group { component, rows: [first, last] } => {
+                say!("{}, rows {}–{}", component.words(), first + 1, last + 1)
+            }
+            LimitedBy::Elastic(ElasticRule::NearlyBolts) => "6.2.7.2(9), lever arms".into(),
+            LimitedBy::Elastic(ElasticRule::Triangular) => "UK NA.2.7, triangular limit".into(),
+            LimitedBy::Sum(id) => id.title().into(),
+        }
+    }
 }
 
 impl fmt::Display for LimitedBy {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            LimitedBy::Row(component) => f.write_str(component.words()),
-            LimitedBy::Group { component, rows: [first, last] } => {
-                write!(f, "{}, rows {}–{}", component.words(), first + 1, last + 1)
-            }
-            LimitedBy::Elastic(ElasticRule::NearlyBolts) => f.write_str("6.2.7.2(9), lever arms"),
-            LimitedBy::Elastic(ElasticRule::Triangular) => {
-                f.write_str("UK NA.2.7, triangular limit")
-            }
-            LimitedBy::Sum(id) => f.write_str(id.title()),
-        }
+        self.text().fmt(f)
     }
 }

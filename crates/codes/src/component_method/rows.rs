@@ -12,6 +12,8 @@ use super::{beam, column_web};
 use crate::check::{number as n, within};
 use crate::error::CheckError;
 use crate::worked::Worked;
+use bracket_base::say;
+use bracket_base::words::Text;
 use bracket_joint::assembly::Way;
 use std::f64::consts::SQRT_2;
 
@@ -114,7 +116,7 @@ impl<'a> Rows<'a> {
 
     /// Refuses rows that the tables of effective lengths do not cover.
     fn covered(&self) -> Result<(), CheckError> {
-        let not = |what: String, clause, step| Err(CheckError::NotCovered { what, clause, step });
+        let not = |what: Text, clause, step| Err(CheckError::NotCovered { what, clause, step });
         let outside =
             |up: bool| self.z.iter().filter(|z| self.outside(**z) && (**z > 0.0) == up).count();
         if outside(true) > 1 || outside(false) > 1 {
@@ -127,7 +129,7 @@ impl<'a> Rows<'a> {
         let (gauge, flange) = (self.joint.bolts.gauge, self.joint.beam.section.b);
         if !within(gauge, flange) {
             return not(
-                format!(
+                say!(
                     "the bolts stand beyond the tips of the beam flange: a gauge of {} mm beside a \
                      flange of {} mm leaves the T-stub of the end plate without a flange",
                     n(gauge),
@@ -143,7 +145,7 @@ impl<'a> Rows<'a> {
             if m <= 0.0 {
                 let what = what.words();
                 return not(
-                    format!("the bolts stand in the root or weld of the {what}: m = {} mm", n(m)),
+                    say!("the bolts stand in the root or weld of the {}: m = {} mm", what, n(m)),
                     "EN 1993-1-8:2005 figures 6.8 and 6.10",
                     "a wider gauge (`bolts.gauge`)",
                 );
@@ -156,7 +158,7 @@ impl<'a> Rows<'a> {
             };
             if to_flange <= 0.0 {
                 return not(
-                    format!("the row at z = {} mm stands on the beam flange or its weld", n(*z)),
+                    say!("the row at z = {} mm stands on the beam flange or its weld", n(*z)),
                     "EN 1993-1-8:2005 figure 6.10",
                     "a row farther from the flange (`bolts.rows`)",
                 );
@@ -164,7 +166,7 @@ impl<'a> Rows<'a> {
             let [above, below] = self.stiffeners(i);
             if above.into_iter().chain(below).any(|m2| m2 <= 0.0) {
                 return not(
-                    format!("the row at z = {} mm stands on a stiffener of the column", n(*z)),
+                    say!("the row at z = {} mm stands on a stiffener of the column", n(*z)),
                     "EN 1993-1-8:2005 figure 6.11",
                     "a row farther from the stiffener (`bolts.rows`)",
                 );

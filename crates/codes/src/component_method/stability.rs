@@ -1,13 +1,13 @@
 //! Components of a joint that may buckle before they yield.
 
 use super::beam;
-use super::column_web::{self, ShearPanel, exceeds};
+use super::column_web::{self, ShearPanel};
 use super::compressed_zone::CompressedZone;
 use super::joint::EndPlateJoint;
 use super::rows::Rows;
 use crate::check::{Unit, within};
 use crate::eurocode::section::{Class, epsilon};
-use crate::formula::{Derivation, Formula, Number, Traced};
+use crate::formula::{Derivation, Formula, Line, Number, Relation, Traced};
 use bracket_joint::assembly::Way;
 
 /// A component whose resistance, or whose coverage by the code, depends on buckling.
@@ -92,6 +92,11 @@ pub(super) fn stability(
         });
     }
     out
+}
+
+/// A slenderness that exceeds its limit.
+fn exceeds(symbol: &'static str, value: f64, limit: Traced) -> Line {
+    Line::comparison(symbol, value, Relation::Above, limit, Unit::Number)
 }
 
 /// ε of a yield strength.

@@ -4,7 +4,7 @@ use crate::eurocode::bolts::shank_strength;
 use crate::eurocode::welds::shear_strength;
 use crate::eurocode::yielding::yield_strength;
 use bracket_joint::assembly::{Assembly, Joint};
-use bracket_joint::spec::code::PartialFactors;
+use bracket_joint::spec::code::{Edition, PartialFactors};
 use bracket_joint::strength::{
     BoltShank, Design, DesignStrengths, Nominal, NominalStrength, WeldSteel,
 };
@@ -22,9 +22,16 @@ pub enum DesignCode {
 }
 
 impl DesignCode {
+    /// The code of an edition, with these partial factors.
+    pub fn new(edition: Edition, factors: PartialFactors) -> Self {
+        match edition {
+            Edition::Ec2005 => Self::En1993_2005(factors),
+        }
+    }
+
     /// The code by which a joint was built.
     pub fn of(joint: &Joint) -> Self {
-        Self::En1993_2005(joint.factors)
+        Self::new(joint.edition, joint.factors)
     }
 
     /// Design yield strength of rolled steel.

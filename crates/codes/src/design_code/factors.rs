@@ -1,10 +1,12 @@
 //! Partial factors: from the spec, else from its national annex, else the recommended values.
 
+use bracket_base::say;
 use bracket_base::units::limits;
+use bracket_base::words::Text;
 use bracket_joint::assembly::AssemblyError;
 use bracket_joint::assembly::scope::Resolved;
 use bracket_joint::catalog::{Catalog, NationalAnnex};
-use bracket_joint::spec::code::{Code, PartialFactors};
+use bracket_joint::spec::code::{Code, Edition, PartialFactors};
 
 /// Allowed range of a partial factor.
 const RANGE: std::ops::RangeInclusive<f64> = 0.5..=3.0;
@@ -23,7 +25,7 @@ pub struct FactorsOfSpec {
     pub resolved: Vec<Resolved>,
     /// Factors below the recommended values, one sentence each. Possible causes: a typing error or
     /// a national annex.
-    pub low: Vec<String>,
+    pub low: Vec<Text>,
 }
 
 impl FactorsOfSpec {
@@ -38,7 +40,10 @@ impl FactorsOfSpec {
         let mut factor =
             |name: &str, given: Option<f64>, of_annex: fn(&NationalAnnex) -> Option<f64>| {
                 let path = format!("code.{name}");
-                let recommended = catalog.partial_factor(name).map_err(|e| {
+                let of_code = match code.edition {
+                    Edition::Ec2005 => catalog.partial_factor(name),
+                };
+                let recommended = of_code.map_err(|e| {
                     faults.push(AssemblyError::Catalog { path: path.clone(), cause: Box::new(e) });
                 });
                 let Ok(recommended) = recommended else { return 1.0 };
@@ -54,29 +59,32 @@ impl FactorsOfSpec {
                     });
                 }
                 if !limits::at_least(value, recommended.value) {
-                    low.push(format!(
-                        "{name} = {value} is below the recommended {}: resistances are larger \
-                         than by EN 1993",
-                        recommended.value
+                    low.push(say!(
+                        "{} = {} is below the recommended {}: resistances are larger than by EN \
+                         1993",
+                        name.to_owned(),
+                        value.to_string(),
+                        recommended.value.to_string()
                     ));
                 }
-                let origin = match (given, set, annex) {
-                    (Some(_), _, Some(a)) => format!("given, in place of annex {}", a.annex),
+                let origin: Text = match (given, set, annex) {
+                    (Some(_), _, Some(a)) => say!("given, in place of annex {}", &a.annex),
                     (Some(_), _, None) => "given".into(),
                     (None, Some(_), Some(a)) => {
-                        format!("annex {} ({}; {})", a.annex, a.standard, a.basis)
+                        say!("annex {} ({}; {})", &a.annex, &a.standard, &a.basis)
                     }
                     (None, None, Some(a)) if a.basis != RECOMMENDED => {
-                        format!(
+                        say!(
                             "recommended ({}); the row of annex {} leaves it out: check the annex",
-                            recommended.standard, a.annex
+                            &recommended.standard,
+                            &a.annex
                         )
                     }
-                    _ => format!("recommended ({})", recommended.standard),
+                    _ => say!("recommended ({})", &recommended.standard),
                 };
                 resolved.push(Resolved {
                     name: path,
-                    value: value.to_string(),
+                    value: Text::given(value.to_string()),
                     given: given.is_some(),
                     default: Some(set.unwrap_or(recommended.value).to_string()),
                     range: Some("0.5 to 3".into()),

@@ -4,9 +4,10 @@ use super::code::DesignCode;
 use super::factors::FactorsOfSpec;
 use crate::eurocode::yielding::each_action_alone;
 use bracket_base::math::vec3::V3;
+use bracket_base::say;
+use bracket_base::words::Text;
 use bracket_joint::assembly::CodeValues;
 use bracket_joint::catalog::{Catalog, Steel};
-use bracket_joint::spec::code::Edition;
 use bracket_joint::spec::connection::{ConnectionSpec, MemberSpec};
 use bracket_joint::strength::Nominal;
 use std::collections::BTreeMap;
@@ -16,15 +17,14 @@ pub(super) fn values(spec: &ConnectionSpec, catalog: &Catalog) -> CodeValues {
     let mut faults = Vec::new();
     let FactorsOfSpec { values: factors, annex, resolved, low } =
         FactorsOfSpec::read(&spec.code, catalog, &mut faults);
-    let code = match spec.code.edition {
-        Edition::Ec2005 => DesignCode::En1993_2005(factors),
-    };
+    let edition = spec.code.edition;
+    let code = DesignCode::new(edition, factors);
     let of_member = |(role, m): (&String, &MemberSpec)| {
         Some((role.clone(), code.resistances(spec, m, catalog)?))
     };
     let members = spec.members.iter().filter_map(of_member).collect();
     let notes = low.into_iter().chain(foreign_grades(spec, catalog)).collect();
-    CodeValues { factors, annex, resolved, notes, members, faults }
+    CodeValues { edition, factors, annex, resolved, notes, members, faults }
 }
 
 impl DesignCode {
@@ -47,7 +47,7 @@ impl DesignCode {
 }
 
 /// A note on ASTM steels and bolts under the checks of a European code.
-fn foreign_grades(spec: &ConnectionSpec, catalog: &Catalog) -> Option<String> {
+fn foreign_grades(spec: &ConnectionSpec, catalog: &Catalog) -> Option<Text> {
     let foreign = |standard: &str| standard.starts_with("ASTM");
     let mut steels: BTreeMap<&str, &Steel> = BTreeMap::new();
     let plate = spec.plate.as_ref().and_then(|p| p.steel.as_deref());
@@ -55,17 +55,20 @@ fn foreign_grades(spec: &ConnectionSpec, catalog: &Catalog) -> Option<String> {
     for (role, name) in named.chain(plate.map(|name| ("plate", name))) {
         steels.extend(catalog.steel(name).ok().map(|steel| (role, steel)));
     }
-    let steels = steels.values().filter(|s| foreign(&s.standard)).map(|s| s.grade.clone());
+    let steels = steels.values().filter(|s| foreign(&s.standard)).map(|s| Text::given(&s.grade));
     let bolts = spec.bolts.iter().filter_map(|b| catalog.bolt_grade(&b.grade).ok());
     let bolts = bolts.filter(|g| g.standard.as_deref().is_some_and(foreign));
-    let mut grades: Vec<String> = Vec::new();
-    for name in steels.chain(bolts.map(|g| format!("bolts {}", g.grade))) {
+    let mut grades: Vec<Text> = Vec::new();
+    for name in steels.chain(bolts.map(|g| say!("bolts {}", &g.grade))) {
         if !grades.contains(&name) {
             grades.push(name);
         }
     }
-    let text = "the checks are those of EN 1993-1-8, which does not list them; the checks of \
-                AISC 360 are not in this edition";
-    let note = || format!("grades of ASTM standards ({}): {text}", grades.join(", "));
-    (!grades.is_empty()).then(note)
+    (!grades.is_empty()).then(|| {
+        say!(
+            "grades of ASTM standards ({}): the checks are those of EN 1993-1-8, which does not \
+             list them; the checks of AISC 360 are not in this edition",
+            Text::joined(", ", grades)
+        )
+    })
 }

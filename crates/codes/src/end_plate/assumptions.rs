@@ -3,6 +3,8 @@
 use super::column_forces::{ColumnForces, corner};
 use crate::check::{Check, CheckId, Status, Topic, Unit};
 use crate::subject::{Part, Place};
+use bracket_base::say;
+use bracket_base::words::Text;
 use bracket_joint::assembly::{EndPlate, NotChecked, UnseenLoad};
 
 /// Loads that the checks leave out.
@@ -10,7 +12,8 @@ pub(super) fn unseen_loads(e: &EndPlate) -> Vec<Check> {
     let unseen = |l: &UnseenLoad| {
         let (clause, id) = ("EN 1993-1-8:2005 6.2", CheckId::LoadsNotHeld);
         let topic = Topic::ComponentMethod;
-        Check::undecided(topic, Part::Joint, clause, id, l.why.clone(), &l.step).of_case(&l.case)
+        let (why, step) = (l.why.clone(), l.step.clone());
+        Check::undecided(topic, Part::Joint, clause, id, why, step).of_case(&l.case)
     };
     e.unseen.iter().map(unseen).collect()
 }
@@ -21,14 +24,15 @@ pub(super) fn not_checked(e: &EndPlate) -> Vec<Check> {
     let check = |n: &NotChecked| {
         let (topic, id) = (Topic::Member, CheckId::NotChecked);
         let (label, clause) = (Place::Named(n.label.clone()), "EN 1993-1-8:2005 2.4");
+        let why = n.why.clone();
         let check = match n.binds {
-            true => Check::undecided(topic, label, clause, id, n.why.clone(), n.step),
+            true => Check::undecided(topic, label, clause, id, why, n.step.clone()),
             false => {
-                let noted = Check::assumption(topic, label, clause, id, n.why.clone());
+                let noted = Check::assumption(topic, label, clause, id, why);
                 Check { status: Status::Warning, ..noted }
             }
         };
-        check.naming(n.parts.join(", "))
+        check.naming(Text::joined(", ", n.parts.clone()))
     };
     e.not_checked.iter().map(check).collect()
 }
@@ -48,9 +52,9 @@ pub(super) fn no_weld_strength(e: &EndPlate) -> Vec<Check> {
     without
         .map(|(_, steel, part)| {
             let (clause, id) = ("EN 1993-1-8:2005 Table 4.1", CheckId::WeldStrength);
-            let why = format!(
+            let why = say!(
                 "Table 4.1 has no β_w for {}: its fillet welds have no strength by this code",
-                steel.grade
+                &steel.grade
             );
             let step = "butt welds, or a row with β_w in a table of your own (`catalog`)";
             Check::undecided(Topic::Welds, part, clause, id, why, step)
@@ -82,13 +86,13 @@ pub(super) fn assumptions(e: &EndPlate) -> Vec<Check> {
     }
     let Some(c) = &e.column else { return out };
     let (clause, id) = ("EN 1993-1-8:2005 6.2.6.2(2)", CheckId::WebLongitudinal);
-    let words = match ColumnForces::given(c) {
+    let words: Text = match ColumnForces::given(c) {
         _ if corner(c).is_some() => {
             "σ_com,Ed from the equilibrium of the node with one column, in each load case".into()
         }
         Some(f) if c.moment.is_some() => {
             let stress = Unit::Stress.show(f.longitudinal(c));
-            format!("σ_com,Ed = {stress} from N_Ed and M_Ed of the column")
+            say!("σ_com,Ed = {} from N_Ed and M_Ed of the column", stress)
         }
         Some(_) => {
             "σ_com,Ed from N_Ed of the column and the whole moment of the node, in each load case"

@@ -7,6 +7,8 @@ use crate::eurocode::yielding::{plastic_shear, yield_strength};
 use crate::formula::{Derivation, Formula, Number, Traced};
 use crate::subject::{Part, Subject};
 use crate::worked::Worked;
+use bracket_base::say;
+use bracket_base::words::Text;
 use bracket_joint::assembly::{EndPlate, PlaneActions};
 
 /// Shear, axial force and moment of the beam at the bolt plane. They bind: a beam that cannot carry
@@ -76,7 +78,7 @@ pub(super) fn beam(e: &EndPlate, a: &PlaneActions) -> Vec<Check> {
                     subject,
                     clause,
                     id,
-                    fault.to_string(),
+                    fault.text(),
                     fault.step(),
                 ));
             }
@@ -245,7 +247,7 @@ fn twisted(
 
 /// Note on actions that exceed the resistance of the beam itself: most likely a wrong number or
 /// unit.
-pub(super) fn beyond_the_beam(e: &EndPlate, a: &PlaneActions) -> Option<String> {
+pub(super) fn beyond_the_beam(e: &EndPlate, a: &PlaneActions) -> Option<Text> {
     let [[axial, vy, vz], [_, my, _]] = a.at(1.0);
     let section = Section::from(&e.beam);
     let fyd = yield_strength(e.beam_steel.fy, e.factors.gamma_m0).mpa();
@@ -262,13 +264,14 @@ pub(super) fn beyond_the_beam(e: &EndPlate, a: &PlaneActions) -> Option<String> 
         [moment, normal, shear].into_iter().max_by(|a, b| (a.0 / a.1).total_cmp(&(b.0 / b.1)))?;
     let (demand, capacity, action, resistance, unit) = worst;
     (!within(demand, capacity)).then(|| {
-        format!(
-            "{action} = {} is {} times {resistance} = {} of the beam {}: check the number and its \
-             unit",
+        say!(
+            "{} = {} is {} times {} = {} of the beam {}: check the number and its unit",
+            action,
             unit.show(demand),
             n(demand / capacity),
+            resistance,
             unit.show(capacity),
-            e.beam.name
+            &e.beam.name
         )
     })
 }

@@ -19,6 +19,7 @@ use crate::eurocode::punching::{mean_diameter, punching_resistance};
 use crate::formula::{Derivation, Number, Traced};
 use crate::subject::{Part, Place, Subject};
 use crate::worked::Worked;
+use bracket_base::say;
 use bracket_joint::assembly::{EndPlate, Way};
 
 /// Divisor of the tension in the interaction formula of Table 3.4.
@@ -144,7 +145,7 @@ impl<'a> BoltForces<'a> {
     fn note_cap(&self, worked: Worked, tension: f64) -> Worked {
         if tension > self.tension_resistance {
             let tension = Unit::Force.show(tension);
-            return worked.then(format!("F_t,Ed = {tension} counts as F_t,Rd here"));
+            return worked.then(say!("F_t,Ed = {} counts as F_t,Rd here", tension));
         }
         worked
     }
@@ -183,11 +184,8 @@ impl<'a> BoltForces<'a> {
             worked = self.note_cap(worked, row.tension);
         }
         for row in &self.rows {
-            worked = worked.with(
-                &format!("F_t,Ed of the row at z = {} mm", n(row.z)),
-                row.tension,
-                Unit::Force,
-            );
+            let symbol = say!("F_t,Ed of the row at z = {} mm", n(row.z));
+            worked = worked.with(symbol, row.tension, Unit::Force);
         }
         worked.against(Topic::Bolts, Subject::end(self.end), self.shear, Status::Failed)
     }

@@ -11,6 +11,7 @@ use crate::eurocode::bearing::{Along, Hole};
 use crate::eurocode::block_tearing::Blocks;
 use crate::subject::{Part, Subject};
 use crate::worked::Worked;
+use bracket_base::say;
 use bracket_joint::assembly::{EndPlate, Way};
 
 /// A bolt of the group.
@@ -53,7 +54,7 @@ pub(super) fn shear_forces(bolts: &[GroupBolt], [vy, vz]: [f64; 2]) -> Vec<[f64;
 /// What the checks take Vy to do.
 pub(super) fn assumption(bolts: &[GroupBolt], end: &str, vy: f64) -> Check {
     let [_, z] = centre(bolts);
-    let words = format!(
+    let words = say!(
         "Vy = {} acts in the axis of the beam; the bolts carry it with its moment about their \
          centre at z = {} mm; end plate and column flange are rigid in their plane; bearing is \
          checked in both directions",

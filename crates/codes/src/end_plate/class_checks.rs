@@ -10,6 +10,7 @@ use crate::eurocode::yielding::plastic;
 use crate::formula::{Derivation, Formula, Line, Number, Relation, Traced};
 use crate::subject::{Frame, Place};
 use crate::worked::Worked;
+use bracket_base::say;
 use bracket_joint::assembly::EndPlate;
 
 /// Clause of the classes by stiffness.
@@ -119,8 +120,8 @@ fn stiffness_classes(end: &MemberEnd<'_>) -> Vec<Check> {
     let storey = match slender_columns(e) {
         Some(ratio) => Derivation::from(ratio)
             .then("for this beam and column, the code takes the means of the storey")
-            .then(format!("rigid from {}", n(STIFF_COLUMNS))),
-        None => format!(
+            .then(say!("rigid from {}", n(STIFF_COLUMNS))),
+        None => say!(
             "where K_b/K_c < {} in the storey it is semi-rigid however stiff",
             n(STIFF_COLUMNS)
         )

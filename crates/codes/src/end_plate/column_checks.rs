@@ -8,6 +8,8 @@ use crate::eurocode::yielding::plastic;
 use crate::formula::{Derivation, Traced};
 use crate::subject::Part;
 use crate::worked::Worked;
+use bracket_base::say;
+use bracket_base::words::Text;
 use bracket_joint::assembly::{ColumnSide, EndPlate};
 
 /// Clause of the section's resistance to several forces.
@@ -42,7 +44,7 @@ pub(super) fn under_load(e: &EndPlate, case: &str) -> Vec<Check> {
 
 /// A column that ends above and below has nothing that holds what the beams bring.
 fn no_support([push, lift, moment]: [f64; 3]) -> Check {
-    let why = format!(
+    let why = say!(
         "the column ends above and below the joint, and nothing carries what the beams leave at \
          the node: {} across, {} along the column, M = {}",
         Unit::Force.show(push.abs()),
@@ -65,7 +67,7 @@ fn shear(e: &EndPlate, c: &ColumnSide, f: &ColumnForces) -> Option<Check> {
 
 /// Note on forces of the spec that exceed the resistance of the column itself: most likely a wrong
 /// number or unit.
-pub(super) fn beyond_the_column(e: &EndPlate) -> Option<String> {
+pub(super) fn beyond_the_column(e: &EndPlate) -> Option<Text> {
     let c = e.column.as_ref()?;
     let column = cross_section(e, c);
     let plastic = plastic(column.section.w_pl, column.fy.mpa(), column.gamma_m0);
@@ -79,13 +81,14 @@ pub(super) fn beyond_the_column(e: &EndPlate) -> Option<String> {
         (!within(given, most)).then_some((name, given, most, unit))
     });
     let (name, given, most, unit) = beyond?;
-    Some(format!(
-        "members.column.{name} = {} is {} times the resistance {} of the column {}: check the \
-         number and its unit",
+    Some(say!(
+        "members.column.{} = {} is {} times the resistance {} of the column {}: check the number \
+         and its unit",
+        name,
         unit.show(given),
         n(given / most),
         unit.show(most),
-        c.section.name
+        &c.section.name
     ))
 }
 
@@ -116,12 +119,12 @@ fn section(e: &EndPlate, c: &ColumnSide, f: &ColumnForces) -> Vec<Check> {
         }
         // class 4
         Err(fault) => {
-            let why = Derivation::default().followed_by(f.from.clone()).then(fault.to_string());
+            let why = Derivation::default().followed_by(f.from.clone()).then(fault.text());
             let step = match f.known {
-                Moment::Contradicts => format!("{}, and {}", fault.step(), more_moment(f)),
-                _ => fault.step().to_owned(),
+                Moment::Contradicts => say!("{}, and {}", fault.step(), more_moment(f)),
+                _ => fault.step().into(),
             };
-            Check::undecided(Topic::Member, SUBJECT, CLAUSE, MOMENT, why, &step)
+            Check::undecided(Topic::Member, SUBJECT, CLAUSE, MOMENT, why, step)
         }
     });
     out
@@ -138,13 +141,13 @@ fn as_far_as_known(mut check: Check, f: &ColumnForces, resistance: f64) -> Check
     if open && check.status == Status::Ok {
         check.status = Status::Undecided;
     }
-    check.decided_by(&more_moment(f))
+    check.decided_by(more_moment(f))
 }
 
 /// What supplies a missing or contradicted moment.
-fn more_moment(f: &ColumnForces) -> String {
+fn more_moment(f: &ColumnForces) -> Text {
     let least = Unit::Moment.show(f.moment);
-    format!("members.column.M_Ed of the frame analysis, at least {least}")
+    say!("members.column.M_Ed of the frame analysis, at least {}", least)
 }
 
 fn cross_section(e: &EndPlate, c: &ColumnSide) -> CrossSection {
@@ -180,7 +183,7 @@ fn not_known(e: &EndPlate, c: &ColumnSide, f: &ColumnForces) -> Option<Check> {
     }
     let id = CheckId::ColumnNotChecked;
     let most = if let Moment::NotGiven { most } = f.known { most } else { 0.0 };
-    let formula = format!(
+    let formula = say!(
         "the column continues both ways, and the spec gives no N_Ed and M_Ed of it: its share of \
          the moment {} at the node is not known (one half would be {} of M_c,Rd); members.column \
          takes N_Ed, M_Ed and V_Ed",

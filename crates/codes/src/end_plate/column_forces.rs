@@ -7,6 +7,8 @@
 
 use crate::check::{CheckId, Unit, balance, within};
 use crate::formula::{Derivation, Formula, Number, Traced};
+use bracket_base::say;
+use bracket_base::words::Text;
 use bracket_joint::assembly::{ColumnSide, EndPlate, PlaneActions};
 
 /// A given moment that lacks no more than this part of what equilibrium asks for is rounded.
@@ -109,24 +111,21 @@ pub(super) struct ColumnForces {
     /// Shear force along the web \[N\].
     pub shear: f64,
     /// Where they come from, in words.
-    pub from: String,
+    pub from: Text,
 }
 
 impl ColumnForces {
     /// Forces of the spec, which belong to no load case; `None` if it gives neither N_Ed nor M_Ed.
     pub fn given(c: &ColumnSide) -> Option<Self> {
-        let names: Vec<&str> = [("N_Ed", c.axial.is_some()), ("M_Ed", c.moment.is_some())]
-            .into_iter()
-            .filter_map(|(name, given)| given.then_some(name))
-            .collect();
-        let (axial, moment) = (c.axial.unwrap_or(0.0), c.moment.unwrap_or(0.0).abs());
-        let from = match names[..] {
-            [] => return None,
-            ["N_Ed"] => "N_Ed of the spec, no load case gives a moment".into(),
-            ["M_Ed"] => "M_Ed of the spec, which gives no N_Ed: taken as 0".into(),
-            _ => format!("{} of the spec", names.join(" and ")),
+        let from = match (c.axial.is_some(), c.moment.is_some()) {
+            (false, false) => return None,
+            (true, false) => "N_Ed of the spec, no load case gives a moment",
+            (false, true) => "M_Ed of the spec, which gives no N_Ed: taken as 0",
+            (true, true) => "N_Ed and M_Ed of the spec",
         };
-        Some(Self { axial, moment, known: Moment::Known, shear: c.shear.abs(), from })
+        let (axial, moment) = (c.axial.unwrap_or(0.0), c.moment.unwrap_or(0.0).abs());
+        let (known, shear) = (Moment::Known, c.shear.abs());
+        Some(Self { axial, moment, known, shear, from: from.into() })
     }
 
     /// Forces under a load case.
@@ -140,11 +139,11 @@ impl ColumnForces {
     /// The one column at a corner: the larger of what equilibrium says and what the spec gives.
     fn at_corner(c: &ColumnSide, corner: &CornerForces) -> Self {
         let at_node = Unit::Moment.show(corner.at_node);
-        let mut from =
-            format!("equilibrium of the node with one column, M = {at_node} at the node");
-        let mut larger = |name: &str, given: Option<f64>, found: f64| match given {
+        let node = say!("equilibrium of the node with one column, M = {} at the node", at_node);
+        let mut from = vec![node];
+        let mut larger = |name: &'static str, given: Option<f64>, found: f64| match given {
             Some(given) if !within(given.abs(), found.abs()) => {
-                from += &format!(", {name} of the spec");
+                from.push(say!("{} of the spec", name));
                 given
             }
             _ => found,
@@ -152,7 +151,7 @@ impl ColumnForces {
         let axial = larger("N_Ed", c.axial, corner.axial);
         let moment = larger("M_Ed", c.moment.map(f64::abs), corner.moment);
         let shear = larger("V_Ed", Some(c.shear.abs()), corner.shear);
-        Self { axial, moment, known: Moment::Known, shear, from }
+        Self { axial, moment, known: Moment::Known, shear, from: Text::joined(", ", from) }
     }
 
     /// The columns above and below: together they have the moment of the node, so that the larger
@@ -162,12 +161,12 @@ impl ColumnForces {
         let bring = |whole: f64| if columns(c) == 2 { whole } else { 0.0 };
         let node = bring(node_moment(e, case).abs());
         let least = 0.5 * node;
-        let (known, words) = match c.moment.map(f64::abs) {
+        let (known, words): (_, Text) = match c.moment.map(f64::abs) {
             Some(given) if within((1.0 - ROUNDED) * least, given) => {
-                (Moment::Known, "M_Ed of the spec".to_owned())
+                (Moment::Known, "M_Ed of the spec".into())
             }
             Some(given) => {
-                let words = format!(
+                let words = say!(
                     "M_Ed = {} of the spec is less than half of the moment {} at the node, M ≥ {} \
                      in the column above or below",
                     Unit::Moment.show(given),
@@ -177,9 +176,9 @@ impl ColumnForces {
                 (Moment::Contradicts, words)
             }
             // without a moment at the node nothing is missing
-            None if node == 0.0 => (Moment::Known, "M = 0 at the node".to_owned()),
+            None if node == 0.0 => (Moment::Known, "M = 0 at the node".into()),
             None => {
-                let words = format!(
+                let words = say!(
                     "the spec gives no M_Ed: half of the moment {} at the node is the least that \
                      the column above or below has",
                     Unit::Moment.show(node)
@@ -191,11 +190,11 @@ impl ColumnForces {
         // V_Ed is the mean of the columns above and below, the push of the beams their difference
         let push = bring(horizontal(of_case(e, case)).abs());
         let pressed = 0.5 * bring(balance(of_case(e, case).map(|a| a.at(1.0)[0][2])));
-        let (axial, of_axial) = match c.axial {
+        let (axial, of_axial): (_, Text) = match c.axial {
             Some(given) if within(pressed.abs(), given.abs()) => (given, "N_Ed of the spec".into()),
             _ => {
                 let least = Unit::Force.show(pressed);
-                (pressed, format!("N = {least} is half of what the beams bring, the least"))
+                (pressed, say!("N = {} is half of what the beams bring, the least", least))
             }
         };
         Self {
@@ -203,7 +202,7 @@ impl ColumnForces {
             moment: c.moment.map_or(0.0, f64::abs).max(least),
             known,
             shear: c.shear.abs() + 0.5 * push,
-            from: format!("{of_axial}, {words}"),
+            from: say!("{}, {}", of_axial, words),
         }
     }
 

@@ -6,6 +6,8 @@ use crate::component_method::equilibrium::{Carried, Equilibrium, SMALL_AXIAL};
 use crate::formula::{Derivation, Formula, Number, Traced};
 use crate::subject::Sense;
 use crate::worked::Worked;
+use bracket_base::say;
+use bracket_base::words::Text;
 use bracket_joint::assembly::{EndPlate, PlaneActions};
 use serde::{Deserialize, Serialize};
 
@@ -104,23 +106,23 @@ impl Method {
         let alpha = carried.factor;
         let [upper, web, lower] = carried.compression;
         worked = worked.then("tension positive");
-        let mut forces: Vec<(String, f64, f64)> = carried
+        let mut forces: Vec<(Text, f64, f64)> = carried
             .rows
             .iter()
-            .map(|r| (format!("row at z = {} mm", n(r.z)), r.force, r.z))
+            .map(|r| (say!("F of the row at z = {} mm", n(r.z)), r.force, r.z))
             .collect();
         forces.retain(|f| f.1 > 0.0);
         forces.sort_by(|a, b| b.2.total_cmp(&a.2));
+        let (above, axis, below) = (n(e.lever), n(0.0), n(-e.lever));
         let parts = [
-            ("upper flange", upper, e.lever),
-            ("web", web, 0.0),
-            ("lower flange", lower, -e.lever),
+            (say!("F of the upper flange at z = {} mm", above), upper, e.lever),
+            (say!("F of the web at z = {} mm", axis), web, 0.0),
+            (say!("F of the lower flange at z = {} mm", below), lower, -e.lever),
         ];
-        for (part, push, z) in parts.into_iter().filter(|p| p.1 > 0.0) {
-            forces.push((format!("{part} at z = {} mm", n(z)), -push, z));
-        }
-        let force = |f: &(String, f64, f64)| Traced::force("F", f.1);
-        let turning = |f: &(String, f64, f64)| force(f) * Traced::length("z", f.2);
+        let pushed = parts.into_iter().filter(|p| p.1 > 0.0);
+        forces.extend(pushed.map(|(symbol, push, z)| (symbol, -push, z)));
+        let force = |f: &(Text, f64, f64)| Traced::force("F", f.1);
+        let turning = |f: &(Text, f64, f64)| force(f) * Traced::length("z", f.2);
         let of_load =
             |symbol, load, unit| Traced::number("α", alpha) * Traced::symbol(symbol, load, unit);
         let (sum, turned) = (forces.iter().map(force), forces.iter().map(turning));
@@ -132,8 +134,8 @@ impl Method {
         ] {
             worked = worked.then(Formula::new(symbol, of, unit));
         }
-        for (name, force, _) in &forces {
-            worked = worked.with(&format!("F of the {name}"), *force, Unit::Force);
+        for (symbol, force, _) in forces {
+            worked = worked.with(symbol, force, Unit::Force);
         }
         worked = worked.with("α", alpha, Unit::Number);
         if let Some(pull) = self.pull(axial, axial) {
@@ -175,7 +177,7 @@ pub struct Comparison {
     /// Member end.
     pub end: String,
     /// Sense of bending: `tension at the top`.
-    pub sense: String,
+    pub sense: Text,
     /// β of 5.3(8); 0 in a splice.
     pub beta: f64,
     /// M_j,Ed at the bolt plane \[N mm\].
@@ -187,10 +189,10 @@ pub struct Comparison {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub factor: Option<f64>,
     /// Components that limit the rows, from the tension side: a sentence.
-    pub limited_by: String,
+    pub limited_by: Text,
     /// Components that may buckle, a sentence each: the component method then binds the verdict.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub stability: Vec<String>,
+    pub stability: Vec<Text>,
     /// Lever arm M_j,Rd/ΣF_tr,Rd \[mm\].
     pub lever: f64,
     /// M_c,Rd of the beam \[N mm\].
@@ -207,15 +209,14 @@ impl Comparison {
         assessment: &Assessment,
     ) -> Self {
         let upside_down = a.at(1.0)[1][1] < 0.0;
-        let rows: Vec<String> = assessment
-            .rows
-            .iter()
-            .map(|r| {
-                let z = if upside_down { -r.z } else { r.z };
-                let mode = r.mode.map_or(String::new(), |m| format!(", {}", m.name()));
-                format!("z = {} mm {} ({}{mode})", n(z), Unit::Force.show(r.force), r.limited_by)
-            })
-            .collect();
+        let rows = assessment.rows.iter().map(|r| {
+            let z = n(if upside_down { -r.z } else { r.z });
+            let (force, by) = (Unit::Force.show(r.force), r.limited_by.text());
+            match r.mode {
+                Some(mode) => say!("z = {} mm {} ({}, {})", z, force, by, mode.name()),
+                None => say!("z = {} mm {} ({})", z, force, by),
+            }
+        });
         let total = assessment.tension();
         Self {
             case: a.case.clone(),
@@ -225,11 +226,11 @@ impl Comparison {
             demand: a.at(1.0)[1][1],
             resistance: method.moment,
             factor: factor(a, method),
-            limited_by: rows.join("; "),
+            limited_by: Text::joined("; ", rows),
             stability: assessment
                 .stability
                 .iter()
-                .map(|s| format!("{} ({})", s.why.text(), s.clause))
+                .map(|s| say!("{} ({})", s.why.text(), s.clause))
                 .collect(),
             lever: if total > 0.0 { method.moment / total } else { 0.0 },
             beam: assessment.beam_moment.value,

@@ -18,6 +18,8 @@ use crate::eurocode::i_section::Section;
 use crate::formula::{Derivation, Number, Traced};
 use crate::subject::{Part, Place, Sense, Subject};
 use crate::worked::Worked;
+use bracket_base::say;
+use bracket_base::words::Text;
 use bracket_joint::assembly::EndPlate;
 
 /// Adds the tables of each sense of bending and β. Returns the parts that limit the joint in each
@@ -29,7 +31,8 @@ pub(super) fn senses(e: &EndPlate, out: &mut HandChecks) -> Vec<SenseLimits> {
         let assessment = match assess(&joint) {
             Ok(assessment) => assessment,
             Err(fault) => {
-                out.notes.push(format!("component method, {}: {fault}", sense.words()));
+                let note = say!("component method, {}: {}", sense.words(), fault.text());
+                out.notes.push(note);
                 continue;
             }
         };
@@ -38,7 +41,7 @@ pub(super) fn senses(e: &EndPlate, out: &mut HandChecks) -> Vec<SenseLimits> {
         let subject = if several { subject.and(Place::Beta(beta)) } else { subject };
         out.checks.extend(tables(e, &subject, sense, &assessment));
         let bends = sense::bent(e).contains(&(sense, beta));
-        out.methods.push(MethodRecord::new(&subject.text(), bends, sense, &joint, &assessment));
+        out.methods.push(MethodRecord::new(subject.text(), bends, sense, &joint, &assessment));
         out.checks.extend(weld_checks::not_the_weakest(e, &subject, sense, &assessment));
         let panel = panel(e, &subject, &assessment);
         let bending = assessment.rows.iter().filter_map(|r| r.bending_of()).collect();
@@ -58,7 +61,7 @@ fn panel(e: &EndPlate, subject: &Subject, a: &Assessment) -> Option<Check> {
 }
 
 /// Notes on the parts that the component method leaves out, on the safe side.
-pub(super) fn left_out(e: &EndPlate) -> Vec<String> {
+pub(super) fn left_out(e: &EndPlate) -> Vec<Text> {
     let mut out = Vec::new();
     if e.rib > 0.0 {
         out.push(
@@ -70,7 +73,7 @@ pub(super) fn left_out(e: &EndPlate) -> Vec<String> {
     if let Some(c) = e.column.as_ref().filter(|c| c.doubler > 0.0) {
         out.extend(
             doubler_fault(c)
-                .map(|why| format!("component method: the web doubler is left out: {why}")),
+                .map(|why| say!("component method: the web doubler is left out: {}", why)),
         );
     }
     out
@@ -93,7 +96,7 @@ fn tables(e: &EndPlate, subject: &Subject, sense: Sense, a: &Assessment) -> Vec<
             LimitedBy::Group { component, rows: [first, _] } => (group(component, first), true),
             LimitedBy::Elastic(_) | LimitedBy::Sum(_) => (None, false),
         };
-        let before = Derivation::from(format!("F_tr,Rd, limited by {}", row.limited_by));
+        let before = Derivation::from(say!("F_tr,Rd, limited by {}", row.limited_by.text()));
         let before = match shown {
             Some(c) if grouped => {
                 before.followed_by(c.worked.derivation.clone()).then("less the rows above")
@@ -112,7 +115,7 @@ fn tables(e: &EndPlate, subject: &Subject, sense: Sense, a: &Assessment) -> Vec<
         .after(before)
         .with("h_r", row.lever, Unit::Length);
         for c in &row.alone {
-            force = force.with(&format!("{} alone", c.kind.words()), c.worked.value, Unit::Force);
+            force = force.with(say!("{} alone", c.kind.words()), c.worked.value, Unit::Force);
         }
         force = force.with("after groups", row.grouped, Unit::Force);
         // m, n, effective lengths and modes of that component
@@ -145,7 +148,8 @@ fn of_sum(row: &RowForce) -> bool {
 /// are equal but for rounding.
 fn row_force(a: &Assessment, r: usize, shown: Option<&Component>) -> Traced {
     let row = &a.rows[r];
-    let above = |x: usize, force: f64| Traced::force(format!("F_t{},Rd", x + 1), force);
+    let above =
+        |x: usize, force: f64| Traced::force(Text::given(format!("F_t{},Rd", x + 1)), force);
     let grouped = |x: usize| above(x, a.rows[x].grouped);
     let alone = shown.map(|c| c.worked.traced());
     let group = row.groups.iter().find(|g| shown.is_some_and(|c| std::ptr::eq(c, &g.component)));
@@ -155,7 +159,8 @@ fn row_force(a: &Assessment, r: usize, shown: Option<&Component>) -> Traced {
         (None, _) if !of_sum(row) => {
             let h = Traced::length("h_r", row.lever);
             let of = |x: usize| {
-                let lever = Traced::length(format!("h_{}", x + 1), a.rows[x].lever);
+                let symbol = Text::given(format!("h_{}", x + 1));
+                let lever = Traced::length(symbol, a.rows[x].lever);
                 grouped(x) * h.clone() / lever
             };
             (0..r).map(of).find(|force| force.value() == row.force)

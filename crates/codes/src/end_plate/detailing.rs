@@ -10,6 +10,7 @@ use crate::eurocode::section::epsilon;
 use crate::eurocode::spacing::{Pattern, pattern_checks, washer_check, wrench_check};
 use crate::formula::Traced;
 use crate::subject::{Part, Place, Subject};
+use bracket_base::say;
 use bracket_joint::assembly::{ColumnSide, EndPlate};
 use std::f64::consts::SQRT_2;
 
@@ -85,8 +86,10 @@ fn length_of_bolts(e: &EndPlate) -> Vec<Check> {
     let mut length = least.information(Topic::Detailing, subject.clone());
     if let Some(l) = stocked {
         let count = e.bolt_count();
-        let each = if e.column.is_some() { "each end plate" } else { "the splice" };
-        let words = format!("order {} × {}, {count} for {each}", b.size, n(l));
+        let words = match e.column {
+            Some(_) => say!("order {} × {}, {} for each end plate", &b.size, n(l), count),
+            None => say!("order {} × {}, {} for the splice", &b.size, n(l), count),
+        };
         length.derivation.lines.push(words.into());
         length.values.push(Step { symbol: "l".into(), value: l, unit: Unit::Length });
     }
@@ -102,7 +105,7 @@ fn length_of_bolts(e: &EndPlate) -> Vec<Check> {
 /// EN 1993-1-8:2005 Figure 6.8(b): e_min is then the edge distance in the column's flange.
 fn overhang(e: &EndPlate, c: &ColumnSide) -> Option<Check> {
     let what = ("EN 1993-1-8:2005 Figure 6.8", CheckId::PlateOverhang);
-    let rule = Traced::length(format!("b_fc of {}", c.section.name), c.section.b);
+    let rule = Traced::length(say!("b_fc of {}", &c.section.name), c.section.b);
     let check = Check::at_most(
         (Topic::Detailing, Part::EndPlate),
         what,

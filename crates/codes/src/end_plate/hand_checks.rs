@@ -4,6 +4,7 @@ use super::comparison::Comparison;
 use super::joint_stiffness::PureMoment;
 use super::method_record::MethodRecord;
 use crate::check::{Check, Status};
+use bracket_base::words::Text;
 use bracket_joint::assembly::Neglected;
 
 /// The checks of a connection, and the reasons why some of them are missing.
@@ -12,7 +13,7 @@ pub struct HandChecks {
     /// The checks, by topic.
     pub checks: Vec<Check>,
     /// Parts that could not be checked, with the reason.
-    pub notes: Vec<String>,
+    pub notes: Vec<Text>,
     /// The component method of each sense of bending, with all numbers of M_j,Rd.
     pub methods: Vec<MethodRecord>,
     /// Result of the component method for each load case with actions at a member end.
@@ -21,7 +22,7 @@ pub struct HandChecks {
     pub moments: Vec<PureMoment>,
     /// Reason why the lower bound of a limit analysis decides nothing: no rule of rotation capacity
     /// holds.
-    pub brittle: Option<String>,
+    pub brittle: Option<Text>,
     /// Load cases in which a component may buckle. In these the component method binds, whatever
     /// the limit analysis gives.
     pub unstable: Vec<String>,

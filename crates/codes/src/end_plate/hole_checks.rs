@@ -7,6 +7,7 @@ use crate::eurocode::bearing::Hole;
 use crate::formula::Traced;
 use crate::subject::Part;
 use crate::worked::Worked;
+use bracket_base::say;
 use bracket_joint::assembly::EndPlate;
 
 /// Kind of the holes with its factors.
@@ -19,7 +20,7 @@ pub(super) fn holes(e: &EndPlate) -> Vec<Check> {
         (_, Hole::Normal) => (CheckId::SmallBoltHoles, 1.0),
         _ => (CheckId::OversizeHoles, 0.8),
     };
-    let words = format!(
+    let words = say!(
         "d0 = {} mm, normal {} mm, oversize {} mm: bearing times {} (Table 3.4), k_s = {} (Table \
          3.6)",
         n(e.hole),
@@ -32,7 +33,7 @@ pub(super) fn holes(e: &EndPlate) -> Vec<Check> {
     let mut worked = Worked::of(CLEARANCES, id, "", clearance, Unit::Length).after(words);
     if kind == Clearance::Small {
         let (shear, bearing) = (shear_of_all(e, DOWN), group_bearing(e, Hole::Normal, DOWN));
-        worked = worked.after(format!(
+        worked = worked.after(say!(
             "group in bearing {}, in shear {}: {} (3.6.1(5))",
             Unit::Force.show(bearing),
             Unit::Force.show(shear),

@@ -19,13 +19,15 @@ use crate::check::{Check, CheckId, Status, Topic, Unit, within};
 use crate::eurocode::i_section::Section;
 use crate::eurocode::yielding::plastic_shear;
 use crate::subject::{Sense, Subject};
+use bracket_base::say;
+use bracket_base::words::Text;
 use bracket_joint::assembly::{EndPlate, PlaneActions};
 
 /// Adds the checks of every load case and member end.
 pub(super) fn checks(e: &EndPlate, out: &mut HandChecks) {
     for a in &e.actions {
-        let place = format!("{}, {}", a.case, a.end);
-        out.notes.extend(beyond_the_beam(e, a).map(|what| format!("{place}: {what}")));
+        let noted = |what: Text| say!("{}, {}: {}", &a.case, &a.end, what);
+        out.notes.extend(beyond_the_beam(e, a).map(noted));
         let ultimate = a.state.is_ultimate();
         let mut alone: Vec<Check> = slip(e, a).into_iter().collect();
         if ultimate {
@@ -46,7 +48,7 @@ pub(super) fn checks(e: &EndPlate, out: &mut HandChecks) {
                     subject(a, Sense::of_moment(a.at(1.0)[1][1])),
                     clause,
                     id,
-                    fault.to_string(),
+                    fault.text(),
                     fault.step(),
                 );
                 out.checks.extend(ultimate.then(|| check.of_strength().of_case(&a.case)));
@@ -86,11 +88,16 @@ pub(super) fn checks(e: &EndPlate, out: &mut HandChecks) {
 /// above half of its resistance. `None` where it is that of the sense of bending, or of an earlier
 /// case.
 fn of_its_own(end: &MemberEnd<'_>, known: &[MethodRecord]) -> Option<MethodRecord> {
-    let subject = format!("{}, {}", end.a.case, end.subject());
     let turned = end.joint.turned(end.sense);
-    let own = MethodRecord::new(&subject, true, end.sense, &turned, &end.assessment);
-    let same = |o: &MethodRecord| MethodRecord { subject: own.subject.clone(), ..o.clone() } == own;
-    (!known.iter().any(same)).then_some(own)
+    let mut own = MethodRecord::new(Text::default(), true, end.sense, &turned, &end.assessment);
+    for o in known {
+        own.subject.clone_from(&o.subject);
+        if own == *o {
+            return None;
+        }
+    }
+    let subject = say!("{}, {}", &end.a.case, end.subject().text());
+    Some(MethodRecord { subject, ..own })
 }
 
 /// Torsion and weak-axis moment of the joint: no rule of the code brings them into the rows of
@@ -118,9 +125,9 @@ fn no_formula(a: &PlaneActions) -> Vec<Check> {
         ),
     ];
     let acts = steps.into_iter().filter(|(_, moment, ..)| *moment != 0.0);
-    let check = |(name, moment, id, why, step): (_, _, _, _, &str)| {
+    let check = |(name, moment, id, why, step): (_, _, _, &'static str, &'static str)| {
         let (clause, value) = ("EN 1993-1-8:2005 6.2", Unit::Moment.show(moment));
-        let why = format!("{name} = {value}: {why}");
+        let why = say!("{} = {}: {}", name, value, why);
         Check::undecided(Topic::Bolts, Subject::end(&a.end), clause, id, why, step)
     };
     acts.map(check).collect()
@@ -137,7 +144,7 @@ fn no_moment(end: &MemberEnd<'_>, moment: f64) -> Option<Check> {
         return None;
     }
     let (clause, id) = ("EN 1993-1-1:2005 6.2.8", CheckId::MomentAndAxial);
-    let why = format!(
+    let why = say!(
         "the components leave M_j,Rd = 0 beside V_Ed = {}: the rows cannot carry M_j,Ed = {}",
         Unit::Force.show(vy.hypot(vz)),
         Unit::Moment.show(my.abs())

@@ -10,6 +10,7 @@ use crate::eurocode::welds::{
 use crate::formula::{Derivation, Formula, Line, Number, Traced};
 use crate::subject::{Part, Subject};
 use crate::worked::Worked;
+use bracket_base::say;
 use bracket_joint::assembly::{EndPlate, PlaneActions};
 
 /// Part of the compression that the welds take beside a prepared contact, EN 1993-1-8:2005 6.2.7.1
@@ -74,7 +75,7 @@ fn flange_forces(e: &EndPlate, axial: f64, my: f64) -> FlangeForces {
     let mut derivation = Derivation::from(weld);
     if !within(whole, most) {
         let rest = Unit::Force.show(whole - most);
-        derivation = derivation.then(format!("the rest, {rest}, goes through the web"));
+        derivation = derivation.then(say!("the rest, {}, goes through the web", rest));
     }
     let moment = 0.5 * flange_lever(e).value() * (t + c).abs();
     FlangeForces { weld: force, derivation, axial: (t - c).abs(), moment }

@@ -10,6 +10,7 @@ use crate::component_method::t_stub::{Mode, Prying};
 use crate::component_method::{Assessment, Summed};
 use crate::subject::Sense;
 use crate::worked::Worked;
+use bracket_base::words::Text;
 use serde::{Deserialize, Serialize};
 
 /// The component method of one sense of bending. Lengths in mm, forces in N, strengths in MPa,
@@ -17,7 +18,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct MethodRecord {
     /// Sense of bending, with β where there are several.
-    pub subject: String,
+    pub subject: Text,
     /// True where a load case bends the joint in this sense.
     pub bends: bool,
     /// β of 5.3(8); 0 in a splice.
@@ -35,11 +36,11 @@ pub struct MethodRecord {
     /// M_j,Rd.
     pub moment: f64,
     /// Its formula with numbers.
-    pub formula: String,
+    pub formula: Text,
     /// k1, k2, k_eq, z_eq, as far as they count.
     pub stiffness: Vec<Step>,
     /// S_j,ini with its numbers.
-    pub initial_stiffness: String,
+    pub initial_stiffness: Text,
 }
 
 /// A row in tension.
@@ -58,7 +59,7 @@ pub struct RowRecord {
     /// F_tr,Rd.
     pub force: f64,
     /// The component that limits it.
-    pub limited_by: String,
+    pub limited_by: Text,
     /// k3, k4, k5, k10 and k_eff,r \[mm\]; k3 and k4 only with a column.
     pub stiffness: Vec<Step>,
 }
@@ -67,7 +68,7 @@ pub struct RowRecord {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct StubRecord {
     /// `column flange` or `end plate`.
-    pub part: String,
+    pub part: Text,
     /// First and last row.
     pub rows: [usize; 2],
     /// Thickness of the part.
@@ -110,7 +111,7 @@ pub struct StubRecord {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct WebRecord {
     /// `column web` or `beam web`.
-    pub part: String,
+    pub part: Text,
     /// b_eff.
     pub width: f64,
     /// Thickness, supplementary plates included.
@@ -127,11 +128,11 @@ pub struct WebRecord {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LimitRecord {
     /// The component.
-    pub part: String,
+    pub part: Text,
     /// Clause.
-    pub clause: String,
+    pub clause: Text,
     /// The formula with its numbers.
-    pub formula: String,
+    pub formula: Text,
     /// Further numbers of the formula.
     pub values: Vec<Step>,
     /// Resistance; of the web panel over β.
@@ -141,7 +142,7 @@ pub struct LimitRecord {
 impl MethodRecord {
     /// The record of an assessment of `joint`, which is turned by `sense`.
     pub(super) fn new(
-        subject: &str,
+        subject: Text,
         bends: bool,
         sense: Sense,
         joint: &EndPlateJoint,
@@ -157,7 +158,7 @@ impl MethodRecord {
             }
         }
         Self {
-            subject: subject.into(),
+            subject,
             bends,
             beta: joint.beta,
             bolt: joint.bolts.tension,
@@ -182,7 +183,7 @@ impl RowRecord {
             ("k10", Some(k.bolts)),
             ("k_eff", Some(k.effective)),
         ];
-        let step = |(symbol, k): (&str, Option<f64>)| Some(Step::length(symbol, k?));
+        let step = |(symbol, k): (&'static str, Option<f64>)| Some(Step::length(symbol, k?));
         Self {
             row: r + 1,
             z: sense.z(row.z),
@@ -190,7 +191,7 @@ impl RowRecord {
             alone: row.single,
             grouped: row.grouped,
             force: row.force,
-            limited_by: row.limited_by.to_string(),
+            limited_by: row.limited_by.text(),
             stiffness: all.into_iter().filter_map(step).collect(),
         }
     }

@@ -5,6 +5,7 @@ use crate::check::{Binding, Check, CheckId, Status, Topic};
 use crate::ductility::{Clamped, plastic_distribution};
 use crate::formula::{Number, Traced};
 use crate::subject::{Part, Place};
+use bracket_base::say;
 use bracket_joint::assembly::EndPlate;
 use bracket_joint::spec::code::FySource;
 
@@ -87,7 +88,7 @@ fn german(e: &EndPlate) -> Vec<Check> {
     let mut out = german_throats(e);
     if GERMAN_EXCLUDED.contains(&e.grade.grade.as_str()) {
         let (clause, id) = ("DIN EN 1993-1-8/NA, NDP to 3.1.1(3)", CheckId::AnnexBoltClass);
-        let words = format!("bolts of class {} may not be used in Germany", e.grade.grade);
+        let words = say!("bolts of class {} may not be used in Germany", &e.grade.grade);
         let check = Check::assumption(Topic::Detailing, Part::Bolts, clause, id, words);
         out.push(Check { status: Status::Failed, binding: Binding::Beside, ..check });
     }

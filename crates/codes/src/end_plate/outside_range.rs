@@ -8,8 +8,10 @@
 use super::bolt_holes::{CLEARANCES, Clearance};
 use super::bolt_rows::bolt;
 use crate::check::{Check, CheckId, Topic, Unit, within};
-use crate::formula::{Derivation, Formula, Line, Relation, Traced};
+use crate::formula::{Derivation, Line, Relation, Traced};
 use crate::subject::{Part, Subject};
+use bracket_base::say;
+use bracket_base::words::Text;
 use bracket_joint::assembly::EndPlate;
 use bracket_joint::strength::Strength;
 
@@ -66,9 +68,9 @@ fn parts(e: &EndPlate) -> Vec<Piece<'_>> {
 fn undecided(
     topic: Topic,
     subject: impl Into<Subject>,
-    clause: &str,
+    clause: impl Into<Text>,
     why: impl Into<Derivation>,
-    step: &str,
+    step: &'static str,
 ) -> Check {
     Check::undecided(topic, subject, clause, CheckId::OutsideRange, why, step)
 }
@@ -83,11 +85,11 @@ fn steels(parts: &[Piece<'_>]) -> Vec<Check> {
         }
     }
     let check = |p: &Piece<'_>| {
-        let why = format!(
+        let why = say!(
             "{} of {} is a steel above S460: EN 1993-1-12 has further rules for it, which are not \
              in this edition",
             p.part.words(),
-            p.steel.grade
+            &p.steel.grade
         );
         let step = "a steel up to S460, or a check of the joint by EN 1993-1-12";
         undecided(Topic::Detailing, p.part, "EN 1993-1-8:2005 1.1(1)", why, step)
@@ -107,9 +109,9 @@ fn named(grade: &str) -> f64 {
 fn thicknesses(parts: &[Piece<'_>]) -> Vec<Check> {
     let check = |p: &Piece<'_>| {
         let below = |least: f64| {
-            let limit = Formula::new("", Traced::from(least), Unit::Length);
-            let (symbol, relation) = ("t".into(), Relation::Below);
-            Derivation::from(Line::Comparison { symbol, value: p.thickness, relation, limit })
+            let (relation, limit) = (Relation::Below, Traced::from(least));
+            let line = Line::comparison("t", p.thickness, relation, limit, Unit::Length);
+            Derivation::from(line)
         };
         let (topic, clause, why) = if !within(THINNEST, p.thickness) {
             let why = below(THINNEST).then("thin-walled steel is the matter of EN 1993-1-3");
@@ -132,12 +134,12 @@ fn bolt_grade(e: &EndPlate) -> Option<Check> {
     let inside = |x: f64, (least, most): (f64, f64)| within(least, x) && within(x, most);
     let known = inside(g.fyb, BOLTS[0]) && inside(g.fub, BOLTS[1]);
     (!known).then(|| {
-        let why = format!(
+        let why = say!(
             "f_yb = {} and f_ub = {} of {} lie outside the grades 4.6 to 10.9: Table 3.1 does not \
              list them, and Table 3.4 has no α_v",
             Unit::Stress.show(g.fyb),
             Unit::Stress.show(g.fub),
-            g.grade
+            &g.grade
         );
         let clause = "EN 1993-1-8:2005 3.1.1(3), Table 3.1";
         undecided(Topic::Bolts, bolt(e), clause, why, "a grade of Table 3.1")
@@ -147,15 +149,15 @@ fn bolt_grade(e: &EndPlate) -> Option<Check> {
 /// Holes wider than oversize: no factor of bearing and no k_s.
 fn holes(e: &EndPlate) -> Option<Check> {
     (Clearance::of(e) == Clearance::Beyond).then(|| {
-        let why = format!(
+        let why = say!(
             "d0 = {} is wider than an oversize hole of {} = {}: no bearing resistance \
              (Table 3.4) and no k_s (Table 3.6)",
             Unit::Length.show(e.hole),
-            e.bolt.size,
+            &e.bolt.size,
             Unit::Length.show(e.bolt.hole_oversize)
         );
-        let clause = format!("{CLEARANCES}, EN 1993-1-8:2005 3.6.1(4)");
+        let clause = say!("{}, {}", CLEARANCES, "EN 1993-1-8:2005 3.6.1(4)");
         let step = "a hole of at most that size (`parameters.hole_clearance`)";
-        undecided(Topic::Detailing, Part::Holes, &clause, why, step)
+        undecided(Topic::Detailing, Part::Holes, clause, why, step)
     })
 }

@@ -2,6 +2,7 @@
 
 use super::clamped_plates::length_for;
 use bracket_base::units::limits;
+use bracket_base::words::Text;
 use bracket_joint::assembly::content::{Content, Piece};
 use bracket_joint::catalog::BoltSize;
 use std::f64::consts::PI;
@@ -29,7 +30,7 @@ pub enum PartSize {
 #[derive(Clone, Debug, PartialEq)]
 pub struct PartItem {
     /// `bolt`, `end plate`, `column stiffener`, or the words of a template.
-    pub part: String,
+    pub part: Text,
     /// How many there are.
     pub count: usize,
     /// The sizes of each.

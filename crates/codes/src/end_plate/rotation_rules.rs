@@ -7,9 +7,11 @@ use crate::check::{Check, Status, within};
 use crate::component_method::equilibrium::SMALL_AXIAL;
 use crate::ductility::{Clamped, plastic_distribution, rotation_capacity};
 use crate::eurocode::yielding::plastic;
-use crate::formula::{Derivation, Formula, Line, Number, Relation, Traced};
+use crate::formula::{Derivation, Line, Number, Relation, Traced};
 use crate::subject::{Part, Sense};
 use crate::unit::Unit;
+use bracket_base::say;
+use bracket_base::words::Text;
 use bracket_joint::assembly::EndPlate;
 
 /// Grades covered by the rules of rotation capacity, EN 1993-1-8:2005 6.4.2(1).
@@ -88,7 +90,7 @@ impl RotationRules {
         let rules = |p: &PartRules| {
             let mut by_code = p.by_code.clone();
             let no_row = || {
-                let words = || format!("bending of the {} limits no row", p.part.words()).into();
+                let words = || say!("bending of the {} limits no row", p.part.words()).into();
                 (!bends(p.part)).then(words)
             };
             if let Some(why) = self.not_covered.clone().or_else(no_row) {
@@ -102,19 +104,17 @@ impl RotationRules {
 
     /// Reason why the lower bound of a limit analysis decides nothing, with the numbers of the
     /// rules that do not hold.
-    pub fn brittle(&self, limits: &[SenseLimits]) -> String {
+    pub fn brittle(&self, limits: &[SenseLimits]) -> Text {
         let rules = self.checks(limits);
-        let each: Vec<String> = rules
-            .iter()
-            .map(|c| format!("{}: {} ({})", c.subject, c.formula(), c.clause))
-            .collect();
-        format!(
+        let each =
+            rules.iter().map(|c| say!("{}: {} ({})", c.subject.text(), c.formula(), &c.clause));
+        say!(
             "no rule of rotation capacity holds, so that bolts may break before the rows have \
              yielded as limit analysis takes them to: {}; plastic global analysis may not rely on \
              the rotation of the joint (6.4); the component method needs no such rule, because \
              its rows below one with more than 1.9 F_t,Rd grow with their lever arms \
              (6.2.7.2(9))",
-            each.join("; ")
+            Text::joined("; ", each)
         )
     }
 }
@@ -127,12 +127,10 @@ fn not_covered(e: &EndPlate) -> Option<Derivation> {
     let steels = [Some(&e.plate_steel), Some(&e.beam_steel), e.column.as_ref().map(|c| &c.steel)];
     let covered = |grade: &str| EN_6_4_2_STEELS.iter().any(|g| grade.starts_with(g));
     match steels.into_iter().flatten().find(|s| !covered(&s.grade)) {
-        Some(steel) => Some(format!("6.4.2 does not cover {}", steel.grade).into()),
+        Some(steel) => Some(say!("6.4.2 does not cover {}", &steel.grade).into()),
         None if within(axial, most.value()) => None,
         None => {
-            let limit = Formula::new("", most, Unit::Force);
-            let (symbol, relation) = ("N_Ed".into(), Relation::Above);
-            let beyond = Line::Comparison { symbol, value: axial, relation, limit };
+            let beyond = Line::comparison("N_Ed", axial, Relation::Above, most, Unit::Force);
             Some(Derivation::from("6.4.2 does not cover the axial force").then(beyond))
         }
     }

@@ -8,6 +8,7 @@ use crate::eurocode::slip::{preload, slip_resistance};
 use crate::formula::{Derivation, Formula, Number, Traced};
 use crate::subject::Subject;
 use crate::worked::Worked;
+use bracket_base::say;
 use bracket_joint::assembly::{EndPlate, PlaneActions};
 use bracket_joint::spec::connection::BoltCategory;
 use bracket_joint::spec::loads::LimitState;
@@ -93,7 +94,7 @@ pub(super) fn assembly(e: &EndPlate) -> Vec<Check> {
         let id = CheckId::PreloadedAssemblies;
         let clause = "EN 1993-1-8:2005 3.1.2(1), 1.2.4";
         let worked = Worked::of(clause, id, "F_p", Traced::force("F_p", force), Unit::Force)
-            .after(format!("{} is of {}", e.bolt.size, e.bolt.standard));
+            .after(say!("{} is of {}", &e.bolt.size, &e.bolt.standard));
         let check = worked.information(Topic::Bolts, subject.clone());
         out.push(Check { status: Status::Warning, ..check });
     }

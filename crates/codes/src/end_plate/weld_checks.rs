@@ -16,6 +16,7 @@ use crate::eurocode::yielding::plastic;
 use crate::formula::{Derivation, Formula, Line, Number, Traced};
 use crate::subject::{Frame, Part, Place, Sense, Subject};
 use crate::worked::Worked;
+use bracket_base::say;
 use bracket_joint::assembly::EndPlate;
 
 /// Throats of double fillet welds that are as strong as flange and web of the beam.
@@ -113,7 +114,7 @@ fn beside_rows(
         let rest = Unit::Force.show(pull.value - capped);
         lines.extend([pull, across, along].map(Line::from));
         lines.extend([YIELDS.into(), part.into(), force.into()]);
-        lines.push(format!("the rest, {rest}, goes through the flange").into());
+        lines.push(say!("the rest, {}, goes through the flange", rest).into());
     }
     let throat = two.clone() * two.sqrt() * a.clone() * b_eff;
     let normal = Formula::new("σ⊥ = τ⊥", Traced::force("F", capped) / throat, Unit::Stress);
@@ -198,7 +199,7 @@ fn of_the_flange(e: &EndPlate, subject: &Subject, a: &Assessment, otherwise: Sta
         return vec![worked.information(Topic::Welds, place)];
     }
     let Some(welds) = flange_resistance(e, NOT_THE_WEAKEST) else { return Vec::new() };
-    let check = |clause, id, (moment, words): (Traced, Option<&str>), otherwise| {
+    let check = |clause, id, (moment, words): (Traced, Option<&'static str>), otherwise| {
         let pull = (moment / flange_lever(e)).min(flange_strength(e));
         let demand = pull.value();
         let before = words.into_iter().fold(Derivation::default(), Derivation::then);

@@ -2,7 +2,7 @@
 
 use crate::check::Unit;
 use crate::eurocode::welds::WeldedSteel;
-use crate::formula::{Formula, Line, Relation, Traced};
+use crate::formula::{Line, Relation, Traced};
 use crate::worked::Worked;
 use bracket_joint::assembly::{ColumnSide, EndPlate};
 use bracket_joint::strength::{Strength, WeldSteel};
@@ -31,6 +31,5 @@ pub(super) fn full_throat(full: &Worked) -> Traced {
 
 /// A throat `a` \[mm\] that is at least that of full strength.
 pub(super) fn as_strong(a: f64, full: &Worked) -> Line {
-    let limit = Formula::new("", full_throat(full), Unit::Length);
-    Line::Comparison { symbol: "a".into(), value: a, relation: Relation::AtLeast, limit }
+    Line::comparison("a", a, Relation::AtLeast, full_throat(full), Unit::Length)
 }

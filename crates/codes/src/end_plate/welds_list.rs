@@ -1,13 +1,15 @@
 //! The welds of a joint: seams with their throats and lengths.
 
 use super::parts_list::DENSITY;
+use bracket_base::say;
+use bracket_base::words::Text;
 use bracket_joint::assembly::{Content, EndPlate, Facts};
 
 /// Equal seams of a joint. Lengths in mm.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WeldItem {
     /// Where they are: `beam flange to end plate, outside`, or the two parts.
-    pub place: String,
+    pub place: Text,
     /// Throat of a fillet weld; 0: full penetration.
     pub throat: f64,
     /// How many there are.
@@ -35,7 +37,10 @@ pub fn welds_list(facts: Option<&Facts>, joint: &Content) -> Vec<WeldItem> {
     out.extend(joint.seams.iter().map(|s| {
         let [a, b] = &s.between;
         WeldItem {
-            place: if a == b { format!("within {a}") } else { format!("{a} to {b}") },
+            place: match a == b {
+                true => say!("within {}", a),
+                false => say!("{} to {}", a, b),
+            },
             throat: s.throat,
             count: 1,
             length: Some(s.length),
@@ -48,7 +53,7 @@ pub fn welds_list(facts: Option<&Facts>, joint: &Content) -> Vec<WeldItem> {
 fn of_end_plate(e: &EndPlate, plates: usize) -> Vec<WeldItem> {
     let mut out = Vec::new();
     // a fillet weld has a seam on either side of a part, a butt weld one in all
-    let mut both = |place: &str, throat: f64, places: usize, length: Option<f64>| {
+    let mut both = |place: &'static str, throat: f64, places: usize, length: Option<f64>| {
         let count = if throat > 0.0 { 2 * places } else { places };
         out.push(WeldItem { place: place.into(), throat, count, length });
     };
@@ -74,7 +79,7 @@ fn of_end_plate(e: &EndPlate, plates: usize) -> Vec<WeldItem> {
             out.push(WeldItem { place, throat, count: 1, length: None });
         }
     }
-    let flange = |place: &str, count, length| WeldItem {
+    let flange = |place: &'static str, count, length| WeldItem {
         place: place.into(),
         throat: e.flange_throat,
         count,

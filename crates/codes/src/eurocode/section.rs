@@ -8,6 +8,7 @@ use crate::error::CheckError;
 use crate::formula::{Number, Traced};
 use crate::unit::{Unit, number as n};
 use crate::worked::Worked;
+use bracket_base::say;
 use bracket_joint::strength::Nominal;
 
 /// Factor ε = √(235/f_y).
@@ -219,7 +220,7 @@ impl CrossSection {
             }
             Class::Slender => {
                 return Err(CheckError::NotCovered {
-                    what: format!(
+                    what: say!(
                         "the section is of class 4: flange c/t = {}, web c/t = {}",
                         n(slenderness.flange),
                         n(slenderness.web)

@@ -62,18 +62,6 @@ pub fn directional(stress: &ThroatStress, steel: &WeldedSteel) -> Worked {
     steps.fold(worked, |w, (symbol, value)| w.with(symbol, value, Unit::Stress))
 }
 
-/// Stresses of the two fillet welds of a plate under a force across the plate's end, `length` of
-/// each weld under it, and a shear stress along them \[N, mm, MPa\].
-///
-/// `σ⊥ = τ⊥ = F/(2 √2 a l)`: the throats are at 45° to the force.
-///
-/// # Source
-/// EN 1993-1-8:2005 4.5.3.2(4) and (5), Figure 4.5.
-pub fn across_and_along(force: f64, length: f64, throat: f64, tau_par: f64) -> ThroatStress {
-    let across = force / (2.0 * 2f64.sqrt() * throat * length);
-    ThroatStress { sigma_perp: across, tau_perp: across, tau_par }
-}
-
 /// Design resistance of a fillet weld per length by the simplified method \[N/mm\]; `throat` a
 /// \[mm\].
 ///

@@ -1,18 +1,19 @@
 //! The derivation of a value: formulas, comparisons and words, one after the other.
 
 use super::number::Number;
-use super::print::{Run, Style};
+use super::print::{Run, Style, english, on_one_line};
 use super::term::{Term, extended};
 use super::traced::Traced;
 use crate::unit::Unit;
+use bracket_base::say;
+use bracket_base::words::Text;
 use serde::{Deserialize, Serialize};
-use std::borrow::Cow;
 
 /// A value with its symbol and the term that gives it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Formula {
     /// Symbol of the value; empty where it has none.
-    pub symbol: Cow<'static, str>,
+    pub symbol: Text,
     /// The term.
     pub term: Term,
     /// The value, internal unit.
@@ -24,7 +25,7 @@ pub struct Formula {
 
 impl Formula {
     /// The formula of a traced value. Of an intermediate value it is its definition.
-    pub fn new(symbol: impl Into<Cow<'static, str>>, of: Traced, unit: Unit) -> Self {
+    pub fn new(symbol: impl Into<Text>, of: Traced, unit: Unit) -> Self {
         let term = of.definition().unwrap_or(of.term()).clone();
         Self { symbol: symbol.into(), term, value: of.value(), unit }
     }
@@ -39,25 +40,33 @@ impl Formula {
     pub fn sides(&self) -> Vec<Vec<Run>> {
         let of = |style| self.term.part(style).runs;
         let value = Run::Number(self.unit.show(self.value));
-        let symbol = vec![Run::Symbol(self.symbol.to_string())];
+        let symbol = vec![Run::Symbol(self.symbol.clone())];
         let mut out: Vec<Vec<Run>> = Vec::new();
+        let mut last = String::new();
         for side in [symbol, of(Style::Symbols), of(Style::Numbers), vec![value]] {
-            let text = text_of(&side);
+            let text = english(&side);
             // a value repeats its number without a unit
-            let repeats = |last: String| last == text || text.split(' ').next() == Some(&last);
+            let repeats = last == text || text.split(' ').next() == Some(&last);
             match out.last_mut() {
-                Some(last) if repeats(text_of(last)) => *last = side,
-                _ if text.is_empty() => {}
+                Some(before) if repeats => *before = side,
+                _ if text.is_empty() => continue,
                 _ => out.push(side),
             }
+            last = text;
         }
         out
     }
 
     /// Its sides, joined by `=`.
-    pub fn text(&self) -> String {
-        let sides: Vec<String> = self.sides().iter().map(|side| text_of(side)).collect();
-        sides.join(" = ")
+    pub fn text(&self) -> Text {
+        let mut runs = Vec::new();
+        for side in self.sides() {
+            if !runs.is_empty() {
+                runs.push(Run::Text(" = ".into()));
+            }
+            runs.extend(side);
+        }
+        on_one_line(runs)
     }
 }
 
@@ -66,10 +75,6 @@ impl From<&Formula> for Traced {
     fn from(of: &Formula) -> Self {
         Traced::new(of.value, of.term.clone())
     }
-}
-
-fn text_of(runs: &[Run]) -> String {
-    runs.iter().map(Run::text).collect()
 }
 
 /// Relation of a value to its limit.
@@ -106,13 +111,13 @@ impl Relation {
 #[serde(rename_all = "snake_case")]
 pub enum Line {
     /// A sentence.
-    Words(String),
+    Words(Text),
     /// A formula with its value.
     Formula(Formula),
     /// A value and its limit: `e1 = 23 mm < 1.2 d0 = 1.2 · 20 = 24 mm`.
     Comparison {
         /// Symbol of the value.
-        symbol: Cow<'static, str>,
+        symbol: Text,
         /// The value, internal unit.
         #[serde(with = "extended")]
         value: f64,
@@ -122,32 +127,50 @@ pub enum Line {
         limit: Formula,
     },
     /// What would decide an undecided check.
-    DecidedBy(String),
+    DecidedBy(Text),
 }
 
-/// Words before what would decide an undecided check.
-pub const DECIDED_BY: &str = "what would decide it";
-
 impl Line {
+    /// A value beside its limit; both have this unit.
+    pub fn comparison(
+        symbol: impl Into<Text>,
+        value: f64,
+        relation: Relation,
+        limit: Traced,
+        unit: Unit,
+    ) -> Self {
+        let limit = Formula::new("", limit, unit);
+        Line::Comparison { symbol: symbol.into(), value, relation, limit }
+    }
+
     /// The part as text.
-    pub fn text(&self) -> String {
+    pub fn text(&self) -> Text {
         match self {
             Line::Words(words) => words.clone(),
             Line::Formula(formula) => formula.text(),
             Line::Comparison { relation, limit, .. } => {
-                format!("{} {} {}", self.provided(), relation.sign(), limit.text())
+                let sign = relation.sign().to_owned();
+                say!("{} {} {}", self.provided(), sign, limit.text())
             }
-            Line::DecidedBy(step) => format!("{DECIDED_BY}: {step}"),
+            Line::DecidedBy(step) => say!("what would decide it: {}", step),
         }
     }
 
     /// The value of a comparison with its symbol; empty for other parts.
-    pub fn provided(&self) -> String {
+    pub fn provided(&self) -> Text {
         match self {
             Line::Comparison { symbol, value, limit, .. } => {
-                format!("{symbol} = {}", limit.unit.show(*value))
+                say!("{} = {}", symbol, limit.unit.show(*value))
             }
-            _ => String::new(),
+            _ => Text::default(),
+        }
+    }
+
+    /// Whether it leads to what follows it.
+    fn leads_on(&self) -> bool {
+        match self {
+            Line::Words(words) | Line::DecidedBy(words) => words.id.ends_with(':'),
+            Line::Formula(_) | Line::Comparison { .. } => false,
         }
     }
 }
@@ -158,14 +181,14 @@ impl From<Formula> for Line {
     }
 }
 
-impl From<String> for Line {
-    fn from(words: String) -> Self {
+impl From<Text> for Line {
+    fn from(words: Text) -> Self {
         Line::Words(words)
     }
 }
 
-impl From<&str> for Line {
-    fn from(words: &str) -> Self {
+impl From<&'static str> for Line {
+    fn from(words: &'static str) -> Self {
         Line::Words(words.into())
     }
 }
@@ -194,16 +217,8 @@ impl Derivation {
     }
 
     /// The derivation as text.
-    pub fn text(&self) -> String {
-        let mut out = String::new();
-        for line in &self.lines {
-            if !out.is_empty() {
-                // a colon leads to what follows it
-                out += if out.ends_with(':') { " " } else { "; " };
-            }
-            out += &line.text();
-        }
-        out
+    pub fn text(&self) -> Text {
+        text_of(&self.lines)
     }
 
     /// The formulas, limits of comparisons included.
@@ -213,6 +228,26 @@ impl Derivation {
             Line::Words(_) | Line::DecidedBy(_) => None,
         })
     }
+
+    /// Whether its first formula is that of the demand: `V_wp,Ed = …; V_wp,Rd = …`. One without a
+    /// symbol is if its term is made of demands.
+    pub(crate) fn has_demand(&self) -> bool {
+        let first = self.lines.iter().find_map(|line| match line {
+            Line::Formula(formula) if formula.symbol.is_empty() => {
+                Some(formula.term.symbols().into_iter().any(|(symbol, ..)| of_demand(symbol)))
+            }
+            Line::Formula(Formula { symbol, .. }) | Line::Comparison { symbol, .. } => {
+                Some(of_demand(symbol))
+            }
+            Line::Words(_) | Line::DecidedBy(_) => None,
+        });
+        first.unwrap_or(false)
+    }
+}
+
+/// Whether a symbol is that of a demand.
+fn of_demand(symbol: &Text) -> bool {
+    symbol.id.contains("Ed")
 }
 
 impl<L: Into<Line>> From<L> for Derivation {
@@ -221,11 +256,28 @@ impl<L: Into<Line>> From<L> for Derivation {
     }
 }
 
+/// Parts of a derivation as text.
+pub(crate) fn text_of(lines: &[Line]) -> Text {
+    if let [line] = lines {
+        return line.text();
+    }
+    let mut id = String::new();
+    for (i, _) in lines.iter().enumerate() {
+        id += match i.checked_sub(1).map(|before| lines[before].leads_on()) {
+            None => "{}",
+            // a colon leads to what follows it
+            Some(true) => " {}",
+            Some(false) => "; {}",
+        };
+    }
+    Text { id: id.into(), gaps: lines.iter().map(|line| line.text().into()).collect() }
+}
+
 /// A derivation in a file.
 #[derive(Clone, Serialize, Deserialize)]
 struct Record {
     /// As text.
-    formula: String,
+    formula: Text,
     /// As data; absent in files of earlier editions.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     derivation: Vec<Line>,
@@ -233,10 +285,11 @@ struct Record {
 
 impl From<Derivation> for Record {
     fn from(of: Derivation) -> Self {
-        // words alone are their own data
-        let formula = of.text();
-        let alone = matches!(of.lines.as_slice(), [Line::Words(_)]);
-        Self { formula, derivation: if alone { Vec::new() } else { of.lines } }
+        match of.lines.as_slice() {
+            // words alone are their own data
+            [Line::Words(words)] => Self { formula: words.clone(), derivation: Vec::new() },
+            _ => Self { formula: of.text().sentence(), derivation: of.lines },
+        }
     }
 }
 

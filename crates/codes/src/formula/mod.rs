@@ -26,7 +26,8 @@ mod print;
 mod term;
 mod traced;
 
-pub use derivation::{DECIDED_BY, Derivation, Formula, Line, Relation};
+pub(crate) use derivation::text_of;
+pub use derivation::{Derivation, Formula, Line, Relation};
 pub use number::Number;
 pub use print::{Part, Run, Style};
 pub use term::Term;

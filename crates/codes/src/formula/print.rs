@@ -5,6 +5,7 @@
 
 use super::term::Term;
 use crate::unit::{Unit, number};
+use bracket_base::words::{Gap, Said, Text};
 use std::sync::Arc;
 
 /// How symbols and numbers are written.
@@ -39,7 +40,7 @@ pub enum Run {
     /// A number, with its unit if it is shown.
     Number(String),
     /// A symbol.
-    Symbol(String),
+    Symbol(Text),
     /// A fraction.
     Fraction(Part, Part),
 }
@@ -81,32 +82,67 @@ impl Part {
             _ => false,
         }
     }
-
-    /// The pieces on one line; a fraction is written with a stroke.
-    pub fn text(&self) -> String {
-        self.runs.iter().map(Run::text).collect()
-    }
 }
 
 impl Run {
-    /// The piece on one line.
-    pub fn text(&self) -> String {
+    /// Gives the pieces on one line one after the other; a fraction is written with a stroke.
+    fn each(self, put: &mut impl FnMut(Gap)) {
         match self {
-            Run::Text(text) | Run::Number(text) | Run::Symbol(text) => text.clone(),
+            Run::Text(text) | Run::Number(text) => put(Gap::Given(text)),
+            Run::Symbol(symbol) => put(symbol.into()),
             Run::Fraction(top, bottom) => {
-                let line = |part: &Part, least| -> String {
-                    part.clone().within(least).iter().map(Run::text).collect()
-                };
-                format!("{}/{}", line(top, Strength::Product), line(bottom, Strength::Measure))
+                top.within(Strength::Product).into_iter().for_each(|run| run.each(put));
+                put(Gap::Given("/".into()));
+                bottom.within(Strength::Measure).into_iter().for_each(|run| run.each(put));
             }
         }
     }
 }
 
+/// Pieces on one line as text: symbols are messages, all else is given.
+pub(super) fn on_one_line(runs: Vec<Run>) -> Text {
+    let mut gaps: Vec<Gap> = Vec::new();
+    for run in runs {
+        run.each(&mut |gap| match (gaps.last_mut(), gap) {
+            (Some(Gap::Given(before)), Gap::Given(text)) => before.push_str(&text),
+            (_, gap) => gaps.push(gap),
+        });
+    }
+    match (gaps.len(), gaps.pop()) {
+        (1, Some(Gap::Text(Said(symbol)))) => symbol,
+        (count, last) => {
+            gaps.extend(last);
+            Text { id: "{}".repeat(count).into(), gaps }
+        }
+    }
+}
+
+/// Pieces on one line in English.
+pub(super) fn english(runs: &[Run]) -> String {
+    let mut out = String::new();
+    for run in runs {
+        match run {
+            Run::Text(text) | Run::Number(text) => out += text,
+            Run::Symbol(symbol) => out += &symbol.to_string(),
+            Run::Fraction(top, bottom) => {
+                out += &english(&top.clone().within(Strength::Product));
+                out += "/";
+                out += &english(&bottom.clone().within(Strength::Measure));
+            }
+        }
+    }
+    out
+}
+
 impl Term {
-    /// The term as text.
+    /// The term in English.
     pub fn print(&self, style: Style) -> String {
-        self.part(style).text()
+        english(&self.part(style).runs)
+    }
+
+    /// The term with its symbols as text.
+    pub fn text(&self) -> Text {
+        on_one_line(self.part(Style::Symbols).runs)
     }
 
     /// The pieces of the term.
@@ -114,7 +150,7 @@ impl Term {
         match self {
             Term::Constant(value) => value_part(*value, Unit::Number, style),
             Term::Symbol(name, ..) if style == Style::Symbols => {
-                Part::atom(Run::Symbol(name.to_string()))
+                Part::atom(Run::Symbol(name.clone()))
             }
             Term::Symbol(_, value, unit) => value_part(*value, *unit, style),
             Term::Sum(a, b) => sum(a, " + ", b, style),
@@ -217,7 +253,10 @@ fn quotient(term: &Term, style: Style) -> Part {
 
 fn product(factors: &[&Term], style: Style) -> Part {
     // a symbol times itself is its power
-    let same = |a: &&Term, b: &&Term| matches!(a, Term::Symbol(..)) && a == b;
+    let same = |a: &&Term, b: &&Term| match (a, b) {
+        (Term::Symbol(a, x, u), Term::Symbol(b, y, v)) => (x, u) == (y, v) && a == b,
+        _ => false,
+    };
     let mut parts = factors.chunk_by(same).map(|same| match same.len() {
         1 => same[0].part(style),
         n => power(same[0], &Term::Constant(n as f64), style),

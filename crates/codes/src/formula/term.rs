@@ -1,8 +1,8 @@
 //! The tree of a formula.
 
 use crate::unit::Unit;
+use bracket_base::words::Text;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
-use std::borrow::Cow;
 use std::sync::Arc;
 
 /// A term of a formula.
@@ -12,7 +12,7 @@ pub enum Term {
     /// A number of the code.
     Constant(f64),
     /// A symbol with its value in the internal unit.
-    Symbol(Cow<'static, str>, #[serde(with = "extended")] f64, Unit),
+    Symbol(Text, #[serde(with = "extended")] f64, Unit),
     /// Sum of two terms.
     Sum(Arc<Term>, Arc<Term>),
     /// Difference of two terms.
@@ -40,17 +40,17 @@ pub enum Term {
 
 impl Term {
     /// The symbols of the term with their values and units, each name once.
-    pub fn symbols(&self) -> Vec<(&str, f64, Unit)> {
+    pub fn symbols(&self) -> Vec<(&Text, f64, Unit)> {
         let mut out = Vec::new();
         self.collect(&mut out);
         out
     }
 
-    fn collect<'a>(&'a self, out: &mut Vec<(&'a str, f64, Unit)>) {
+    fn collect<'a>(&'a self, out: &mut Vec<(&'a Text, f64, Unit)>) {
         match self {
             Term::Constant(_) => {}
             Term::Symbol(name, value, unit) => {
-                if !out.iter().any(|(known, ..)| known == name) {
+                if !out.iter().any(|(known, ..)| *known == name) {
                     out.push((name, *value, *unit));
                 }
             }

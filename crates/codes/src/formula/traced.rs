@@ -3,7 +3,7 @@
 use super::number::Number;
 use super::term::Term;
 use crate::unit::Unit;
-use std::borrow::Cow;
+use bracket_base::words::Text;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 use std::sync::Arc;
 
@@ -24,32 +24,32 @@ impl Traced {
     }
 
     /// A symbol with its value in the internal unit.
-    pub fn symbol(name: impl Into<Cow<'static, str>>, value: f64, unit: Unit) -> Self {
+    pub fn symbol(name: impl Into<Text>, value: f64, unit: Unit) -> Self {
         Self::new(value, Term::Symbol(name.into(), value, unit))
     }
 
     /// A pure number.
-    pub fn number(name: impl Into<Cow<'static, str>>, value: f64) -> Self {
+    pub fn number(name: impl Into<Text>, value: f64) -> Self {
         Self::symbol(name, value, Unit::Number)
     }
 
     /// A length \[mm\].
-    pub fn length(name: impl Into<Cow<'static, str>>, value: f64) -> Self {
+    pub fn length(name: impl Into<Text>, value: f64) -> Self {
         Self::symbol(name, value, Unit::Length)
     }
 
     /// An area \[mm²\].
-    pub fn area(name: impl Into<Cow<'static, str>>, value: f64) -> Self {
+    pub fn area(name: impl Into<Text>, value: f64) -> Self {
         Self::symbol(name, value, Unit::Area)
     }
 
     /// A stress or a strength \[MPa\].
-    pub fn stress(name: impl Into<Cow<'static, str>>, value: f64) -> Self {
+    pub fn stress(name: impl Into<Text>, value: f64) -> Self {
         Self::symbol(name, value, Unit::Stress)
     }
 
     /// A force \[N\].
-    pub fn force(name: impl Into<Cow<'static, str>>, value: f64) -> Self {
+    pub fn force(name: impl Into<Text>, value: f64) -> Self {
         Self::symbol(name, value, Unit::Force)
     }
 
@@ -92,7 +92,7 @@ impl From<f64> for Traced {
     }
 }
 
-impl<S: Into<Cow<'static, str>>> From<(S, f64, Unit)> for Traced {
+impl<S: Into<Text>> From<(S, f64, Unit)> for Traced {
     fn from((name, value, unit): (S, f64, Unit)) -> Self {
         Self::symbol(name, value, unit)
     }

@@ -1,6 +1,7 @@
 //! What the analyses of a load case have proved.
 
 use crate::verdict::Verdict;
+use bracket_base::words::Text;
 
 /// Result of the analyses of a load case.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,9 +18,9 @@ pub struct Analysed {
     pub brittle: bool,
     /// Whether no rule of rotation capacity holds, so that no lower bound can give OK.
     pub no_rule: bool,
-    /// What its analyses did not supply, as text: `limit analysis gave no lower bound (time
+    /// What its analyses did not supply: `limit analysis gave no lower bound (time
     /// limit)`.
-    pub missing: Option<String>,
+    pub missing: Option<Text>,
 }
 
 impl Analysed {

@@ -2,6 +2,8 @@
 
 use crate::check::Check;
 use bracket_base::math::figures::{Rounding, utilisation};
+use bracket_base::say;
+use bracket_base::words::Text;
 use serde::{Deserialize, Serialize};
 
 /// Check or bound that decides a verdict.
@@ -11,9 +13,9 @@ pub struct Governing {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub case: Option<String>,
     /// Check and place, in words.
-    pub what: String,
+    pub what: Text,
     /// Clause, or `limit analysis`.
-    pub clause: String,
+    pub clause: Text,
     /// Demand over resistance, lower and upper bound; both equal for a hand check, absent where
     /// there is no number.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -25,24 +27,24 @@ impl Governing {
     pub(super) fn by_check(c: &Check) -> Self {
         Self {
             case: c.case.clone(),
-            what: format!("{}, {}", c.title, c.subject),
+            what: say!("{}, {}", c.title.text(), c.subject.text()),
             clause: c.clause.clone(),
             utilisation: c.utilisation.map(|u| [u, u]),
         }
     }
 
     /// The governing check with its utilisation and clause.
-    pub fn words(&self) -> String {
-        let used = match self.utilisation {
+    pub fn words(&self) -> Text {
+        let (what, clause) = (&self.what, &self.clause);
+        match self.utilisation {
             Some([l, u]) if l == u => {
-                format!(", utilisation {}", utilisation(u, Rounding::Nearest))
+                say!("{}, utilisation {} ({})", what, utilisation(u, Rounding::Nearest), clause)
             }
             Some([l, u]) => {
                 let (l, u) = (utilisation(l, Rounding::Down), utilisation(u, Rounding::Up));
-                format!(", utilisation {l} … {u}")
+                say!("{}, utilisation {} … {} ({})", what, l, u, clause)
             }
-            None => String::new(),
-        };
-        format!("{}{used} ({})", self.what, self.clause)
+            None => say!("{} ({})", what, clause),
+        }
     }
 }

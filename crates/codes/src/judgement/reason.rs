@@ -3,8 +3,9 @@
 use super::analysed::Analysed;
 use super::governing::Governing;
 use crate::check::Check;
-use crate::formula::DECIDED_BY;
 use crate::verdict::{Route, Verdict};
+use bracket_base::say;
+use bracket_base::words::Text;
 
 /// What would supply a missing lower bound.
 const FINISH: &str = "more time (`time_limit`), more memory or a coarser mesh (a larger \
@@ -23,71 +24,97 @@ pub(super) fn sentence(
     (by_code, open): (Verdict, Option<&Check>),
     (verdict, route): (Verdict, Option<Route>),
     governing: Option<&Governing>,
-) -> String {
+) -> Text {
     let (case, by_analysis) = (&a.case, a.verdict);
     let what = governing.map_or_else(|| "nothing that could be checked".into(), Governing::words);
     match (verdict, by_code, by_analysis) {
-        (Verdict::Ok, ..) if route == Some(Route::Code) && by_analysis == Verdict::Ok => format!(
-            "{case}: every binding check holds, and the lower bound carries the load; governing: \
-             {what}"
+        (Verdict::Ok, ..) if route == Some(Route::Code) && by_analysis == Verdict::Ok => say!(
+            "{}: every binding check holds, and the lower bound carries the load; governing: {}",
+            case,
+            what
         ),
-        (Verdict::Ok, ..) if route == Some(Route::Code) => format!(
-            "{case}: every binding check holds, the component method included; governing: \
-             {what}{}",
+        (Verdict::Ok, ..) if route == Some(Route::Code) => say!(
+            "{}: every binding check holds, the component method included; governing: {}{}",
+            case,
+            what,
             beside(a)
         ),
-        (Verdict::Ok, Verdict::Ok, _) => format!(
-            "{case}: the lower bound carries the load in place of the component method, and every \
-             check of what limit analysis does not know holds; governing: {what}"
+        (Verdict::Ok, Verdict::Ok, _) => say!(
+            "{}: the lower bound carries the load in place of the component method, and every \
+             check of what limit analysis does not know holds; governing: {}",
+            case,
+            what
         ),
         (Verdict::Ok, ..) => {
-            format!("{case}: the lower bound carries the load; no check of the code covers it")
+            say!("{}: the lower bound carries the load; no check of the code covers it", case)
         }
-        (Verdict::NotOk, Verdict::NotOk, Verdict::Ok) => format!(
-            "{case}: the lower bound carries the load, but a check of what limit analysis does \
-             not know fails: {what}"
+        (Verdict::NotOk, Verdict::NotOk, Verdict::Ok) => say!(
+            "{}: the lower bound carries the load, but a check of what limit analysis does not \
+             know fails: {}",
+            case,
+            what
         ),
-        (Verdict::NotOk, Verdict::NotOk, _) => format!("{case}: a check fails: {what}"),
-        (Verdict::NotOk, ..) => format!("{case}: the load is above the upper bound: {what}"),
-        (Verdict::Undecided, ..) => {
-            let (step, supply) = match open {
-                Some(check) => {
-                    let (why, supply) =
-                        check.open().unwrap_or_else(|| (check.formula(), supply(a)));
-                    // a value with its derivation is in the check
-                    let why = match check.utilisation {
-                        Some(_) => String::new(),
-                        None => format!(": {why}"),
-                    };
-                    (format!("not decided by the code: {what}{why}"), supply)
-                }
-                None => ("no check of the code covers the load".into(), supply(a)),
-            };
-            format!("{case}: {step}; {}; {DECIDED_BY}: {supply}", state(a))
-        }
+        (Verdict::NotOk, Verdict::NotOk, _) => say!("{}: a check fails: {}", case, what),
+        (Verdict::NotOk, ..) => say!("{}: the load is above the upper bound: {}", case, what),
+        (Verdict::Undecided, ..) => undecided(a, open, what),
         (Verdict::None, ..) => {
-            format!("{case}: a load case of serviceability, of which nothing is checked")
+            say!("{}: a load case of serviceability, of which nothing is checked", case)
         }
     }
 }
 
+/// The reason of an undecided case, with what would decide it.
+fn undecided(a: &Analysed, open: Option<&Check>, what: Text) -> Text {
+    let (case, state) = (&a.case, state(a));
+    let Some(check) = open else {
+        return say!(
+            "{}: no check of the code covers the load; {}; what would decide it: {}",
+            case,
+            state,
+            supply(a)
+        );
+    };
+    let (why, supply) = match check.open() {
+        Some((why, step)) => (why, step.clone()),
+        None => (check.formula(), supply(a).into()),
+    };
+    match check.utilisation {
+        // a value with its derivation is in the check
+        Some(_) => say!(
+            "{}: not decided by the code: {}; {}; what would decide it: {}",
+            case,
+            what,
+            state,
+            supply
+        ),
+        None => say!(
+            "{}: not decided by the code: {}: {}; {}; what would decide it: {}",
+            case,
+            what,
+            why,
+            state,
+            supply
+        ),
+    }
+}
+
 /// What the analyses beside a complete route of the code leave open.
-fn beside(a: &Analysed) -> String {
+fn beside(a: &Analysed) -> Text {
     match (&a.missing, a.verdict) {
-        (Some(missing), _) => format!("; beside it {missing}"),
+        (Some(missing), _) => say!("; beside it {}", missing),
         (None, Verdict::Undecided) if a.brittle => {
             "; beside it the lower bound carries the load, but no rule of rotation capacity holds"
                 .into()
         }
         (None, Verdict::Undecided) => "; beside it the bounds do not decide".into(),
-        _ => String::new(),
+        _ => Text::default(),
     }
 }
 
 /// What the analyses of an undecided case have given.
-fn state(a: &Analysed) -> &str {
-    match (&a.missing, a.verdict) {
-        (Some(missing), _) => missing,
+fn state(a: &Analysed) -> Text {
+    let words = match (&a.missing, a.verdict) {
+        (Some(missing), _) => return missing.clone(),
         (None, Verdict::Ok) => {
             "the lower bound carries the load, but replaces no check of what limit analysis does \
              not know"
@@ -101,7 +128,8 @@ fn state(a: &Analysed) -> &str {
              gives OK"
         }
         _ => "the bounds do not decide",
-    }
+    };
+    words.into()
 }
 
 /// What would supply a bound that decides.

@@ -4,6 +4,8 @@ use super::frame::Frame;
 use super::part::Part;
 use super::sense::Sense;
 use crate::unit::number as n;
+use bracket_base::say;
+use bracket_base::words::Text;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
@@ -60,36 +62,46 @@ pub enum Place {
     Washers(u32),
     /// A national annex by its name in the catalogue.
     Annex(String),
-    /// A name of the user: the words of a part of a template.
-    Named(String),
+    /// The words of a part of a template.
+    Named(Text),
+}
+
+/// Heights of rows: `90 and -90`.
+fn heights(all: &[f64]) -> Text {
+    let mut all = all.iter().map(|z| Text::given(n(*z)));
+    let first = all.next().unwrap_or_default();
+    all.fold(first, |before, z| say!("{} and {}", before, z))
+}
+
+impl Place {
+    /// The place as a report prints it.
+    pub fn text(&self) -> Text {
+        match self {
+            Place::End(name) => Text::given(name.as_str()),
+            Place::Named(name) => name.clone(),
+            Place::Part(part) => part.words().into(),
+            Place::Seam { of, to } => say!("{} to the {}", of.words(), to.words()),
+            Place::Sense(sense) => sense.words().into(),
+            Place::Beta(beta) => Text::given(format!("β = {}", n(*beta))),
+            Place::Row { number, z } => say!("row {} at z = {} mm", *number, n(*z)),
+            Place::Rows(z) if z.len() > 1 => say!("rows at z = {} mm", heights(z)),
+            Place::Rows(z) => say!("row at z = {} mm", heights(z)),
+            Place::Heights(z) => say!("z = {} mm", heights(z)),
+            Place::EndBolt => "end bolt".into(),
+            Place::InnerBolt => "inner bolt".into(),
+            Place::VerticalForce => "vertical force".into(),
+            Place::Thread => "thread in the shear plane".into(),
+            Place::Capped => "tension capped at F_t,Rd".into(),
+            Place::Frame(frame) => frame.words().into(),
+            Place::Bolt { size, grade } => Text::given(format!("{size} {grade}")),
+            Place::Washers(count) => say!("{} washers", *count),
+            Place::Annex(name) => say!("annex {}", name),
+        }
+    }
 }
 
 impl fmt::Display for Place {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let heights = |all: &[f64]| {
-            let all: Vec<String> = all.iter().map(|z| n(*z)).collect();
-            format!("z = {} mm", all.join(" and "))
-        };
-        match self {
-            Place::End(name) | Place::Named(name) => f.write_str(name),
-            Place::Part(part) => f.write_str(part.words()),
-            Place::Seam { of, to } => write!(f, "{} to the {}", of.words(), to.words()),
-            Place::Sense(sense) => f.write_str(sense.words()),
-            Place::Beta(beta) => write!(f, "β = {}", n(*beta)),
-            Place::Row { number, z } => write!(f, "row {number} at {}", heights(&[*z])),
-            Place::Rows(z) => {
-                write!(f, "{} at {}", if z.len() > 1 { "rows" } else { "row" }, heights(z))
-            }
-            Place::Heights(z) => f.write_str(&heights(z)),
-            Place::EndBolt => f.write_str("end bolt"),
-            Place::InnerBolt => f.write_str("inner bolt"),
-            Place::VerticalForce => f.write_str("vertical force"),
-            Place::Thread => f.write_str("thread in the shear plane"),
-            Place::Capped => f.write_str("tension capped at F_t,Rd"),
-            Place::Frame(frame) => f.write_str(frame.words()),
-            Place::Bolt { size, grade } => write!(f, "{size} {grade}"),
-            Place::Washers(count) => write!(f, "{count} washers"),
-            Place::Annex(name) => write!(f, "annex {name}"),
-        }
+        self.text().fmt(f)
     }
 }

@@ -3,6 +3,7 @@
 use super::part::Part;
 use super::place::Place;
 use super::sense::Sense;
+use bracket_base::words::Text;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
@@ -28,15 +29,17 @@ impl Subject {
     }
 
     /// The subject as a report prints it.
-    pub fn text(&self) -> String {
-        let each: Vec<String> = self.places.iter().map(Place::to_string).collect();
-        each.join(", ")
+    pub fn text(&self) -> Text {
+        match self.places.as_slice() {
+            [place] => place.text(),
+            all => Text::joined(", ", all.iter().map(Place::text)),
+        }
     }
 }
 
 impl fmt::Display for Subject {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.text())
+        self.text().fmt(f)
     }
 }
 
@@ -61,16 +64,17 @@ impl From<Sense> for Subject {
 /// How a subject is written: the text, and the data unless they are a name of the user.
 #[derive(Clone, Serialize, Deserialize)]
 struct Record {
-    subject: String,
+    subject: Text,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     place: Vec<Place>,
 }
 
 impl From<Subject> for Record {
     fn from(of: Subject) -> Self {
-        let subject = of.text();
-        let named = matches!(of.places.as_slice(), [Place::Named(_)]);
-        Self { subject, place: if named { Vec::new() } else { of.places } }
+        match of.places.as_slice() {
+            [Place::Named(name)] => Self { subject: name.clone(), place: Vec::new() },
+            _ => Self { subject: of.text().sentence(), place: of.places },
+        }
     }
 }
 

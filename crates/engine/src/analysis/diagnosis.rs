@@ -4,6 +4,8 @@
 use crate::mesh::quality;
 use crate::model::AnalysisModel;
 use crate::programs::conic::{ConicProgram, cone_margin};
+use bracket_base::say;
+use bracket_base::words::Text;
 
 /// A part or contact is named where its motion or multiplier reaches this fraction of the largest.
 const NAMED: f64 = 0.05;
@@ -18,70 +20,70 @@ const LONG: f64 = 30.0;
 /// Largest number of tets named.
 const MOST_TETS: usize = 3;
 
-/// The tets whose shape can explain why a solver ended without a solution, as text: the longest
-/// ones. `None` when no tet is long.
-pub fn long_tets(model: &AnalysisModel) -> Option<String> {
+/// The tets whose shape can explain why a solver ended without a solution: the longest ones.
+/// `None` when no tet is long.
+pub fn long_tets(model: &AnalysisModel) -> Option<Text> {
     let long = quality::long_tets(&model.mesh, LONG);
-    let named: Vec<String> =
-        long.iter().take(MOST_TETS).map(|e| quality::tet_words(&model.mesh, *e)).collect();
-    let worst = named.join("; ");
-    match (long.len(), named.is_empty()) {
-        (_, true) => None,
-        (n, _) if n <= MOST_TETS => Some(format!("long tets can be the cause: {worst}")),
-        (n, _) => Some(format!(
-            "long tets can be the cause, {n} of them are more than {LONG} times as long as thick; \
-             the longest: {worst}"
+    let named = long.iter().take(MOST_TETS).map(|e| quality::tet_words(&model.mesh, *e));
+    let worst = Text::joined("; ", named);
+    match long.len() {
+        0 => None,
+        n if n <= MOST_TETS => Some(say!("long tets can be the cause: {}", worst)),
+        n => Some(say!(
+            "long tets can be the cause, {} of them are more than {} times as long as thick; the \
+             longest: {}",
+            n,
+            LONG.to_string(),
+            worst
         )),
     }
 }
 
-/// The bodies that flow along an unbounded direction of an elastic, perfectly plastic program, as
-/// text; `flow`: dissipation of each body. `None`: nothing flows.
-pub fn plastic_flow(model: &AnalysisModel, flow: &[f64]) -> Option<String> {
+/// The bodies that flow along an unbounded direction of an elastic, perfectly plastic program;
+/// `flow`: dissipation of each body. `None`: nothing flows.
+pub fn plastic_flow(model: &AnalysisModel, flow: &[f64]) -> Option<Text> {
     let total: f64 = flow.iter().sum();
     let mut bodies: Vec<(f64, &String)> =
         flow.iter().map(|f| f / total).zip(&model.mesh.bodies).filter(|b| b.0 > NAMED).collect();
     bodies.sort_by(|a, b| b.0.total_cmp(&a.0));
-    let named: Vec<String> = bodies
-        .iter()
-        .map(|(share, name)| format!("`{name}` ({:.0} % of the dissipation)", 100.0 * share))
-        .collect();
+    let of = |(share, name): &(f64, &String)| {
+        say!("`{}` ({} % of the dissipation)", *name, format!("{:.0}", 100.0 * share))
+    };
+    let named: Vec<Text> = bodies.iter().map(of).collect();
     match &named[..] {
         [] => None,
-        [one] => Some(format!("body {one} yields without end")),
+        [one] => Some(say!("body {} yields without end", one)),
         [first @ .., last] => {
-            Some(format!("bodies {} and {last} yield without end", first.join(", ")))
+            let first = Text::joined(", ", first.to_vec());
+            Some(say!("bodies {} and {} yield without end", first, last))
         }
     }
 }
 
 /// Name of a contact with the parts that it joins. `contact` counts interfaces first, then contacts
 /// with the ground.
-fn contact_name(model: &AnalysisModel, contact: usize) -> String {
+fn contact_name(model: &AnalysisModel, contact: usize) -> Text {
     let part = |tet: u32| &model.parts[model.tet_part[tet as usize] as usize];
     if let Some(i) = model.interfaces.get(contact) {
-        let sides = i.faces.first().map_or(String::new(), |f| {
-            let (a, b) = (part(f.a.tet), part(f.b.tet));
-            if a == b {
-                format!(" (part {a} against itself)")
-            } else {
-                format!(" (part {a} against part {b})")
-            }
-        });
-        return format!("`{}`{sides}", i.name);
+        let Some(f) = i.faces.first() else { return say!("`{}`", &i.name) };
+        let (a, b) = (part(f.a.tet), part(f.b.tet));
+        return if a == b {
+            say!("`{}` (part {} against itself)", &i.name, a)
+        } else {
+            say!("`{}` (part {} against part {})", &i.name, a, b)
+        };
     }
     let Some(g) = model.ground.get(contact - model.interfaces.len()) else {
-        return format!("contact {}", contact + 1);
+        return say!("contact {}", contact + 1);
     };
-    let side = g
-        .faces
-        .first()
-        .map_or(String::new(), |f| format!(" (part {} against the ground)", part(f.tet)));
-    format!("`{}`{side}", g.name)
+    match g.faces.first() {
+        Some(f) => say!("`{}` (part {} against the ground)", &g.name, part(f.tet)),
+        None => say!("`{}`", &g.name),
+    }
 }
 
-/// The contacts that no motion satisfies together, as text, from the certificate `z` of an
-/// infeasible program: `z ∈ K`, `Gᵀ z ≈ 0` and `hᵀ z < 0`, so that `zᵀ (G x + h) < 0` for every x
+/// The contacts that no motion satisfies together, from the certificate `z` of an infeasible
+/// program: `z ∈ K`, `Gᵀ z ≈ 0` and `hᵀ z < 0`, so that `zᵀ (G x + h) < 0` for every x
 /// that is not huge. `None` when z is not such a certificate.
 ///
 /// `contacts`: index of the contact that each cone belongs to.
@@ -90,7 +92,7 @@ pub fn conflict(
     program: &ConicProgram,
     contacts: &[usize],
     z: &[f64],
-) -> Option<String> {
+) -> Option<Text> {
     if z.len() != program.h.len() || z.iter().any(|z| !z.is_finite()) {
         return None;
     }
@@ -118,20 +120,22 @@ pub fn conflict(
         return None;
     }
     let most = largest(&share);
-    let names: Vec<String> = (0..share.len())
+    let names: Vec<Text> = (0..share.len())
         .filter(|&c| share[c] > NAMED * most)
         .map(|c| contact_name(model, c))
         .collect();
     match &names[..] {
         [] => None,
-        [one] => Some(format!(
-            "the solver found no displacement on this mesh that satisfies the contact {one} \
-             everywhere"
+        [one] => Some(say!(
+            "the solver found no displacement on this mesh that satisfies the contact {} \
+             everywhere",
+            one
         )),
-        [first @ .., last] => Some(format!(
-            "the solver found no displacement on this mesh that satisfies the contacts {} and \
-             {last} together",
-            first.join(", ")
+        [first @ .., last] => Some(say!(
+            "the solver found no displacement on this mesh that satisfies the contacts {} and {} \
+             together",
+            Text::joined(", ", first.to_vec()),
+            last
         )),
     }
 }

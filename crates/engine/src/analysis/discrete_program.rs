@@ -17,6 +17,7 @@ use crate::recover::elastic::{self, RecoverError};
 use crate::recover::moving_parts::mechanism;
 use crate::solve::{Patterns, Solution, SolveOptions};
 use bracket_base::math::vec3::V3;
+use bracket_base::words::Text;
 
 /// The next of a sequence of problems that differ in the offsets of their rows.
 pub(crate) struct NextProblem {
@@ -84,16 +85,16 @@ pub(crate) trait DiscreteProgram: Sized + Send + Sync {
         solution: &Solution,
         patterns: &Patterns,
     ) -> Result<Self::Answer, RecoverError>;
-    /// The parts that move along the direction of an unbounded solution, as text.
-    fn mechanism(&self, model: &AnalysisModel, solution: &Solution) -> String {
+    /// The parts that move along the direction of an unbounded solution.
+    fn mechanism(&self, model: &AnalysisModel, solution: &Solution) -> Text {
         mechanism(model, self.base().motion(model, &solution.x))
     }
     /// Number of tets with a yield condition, where only part of the tets may have one.
     fn yielding(&self) -> Option<usize> {
         None
     }
-    /// Why the infeasible problem with the certificate `z` has no solution, as text.
-    fn conflict(&self, model: &AnalysisModel, z: &[f64]) -> Option<String> {
+    /// Why the infeasible problem with the certificate `z` has no solution.
+    fn conflict(&self, model: &AnalysisModel, z: &[f64]) -> Option<Text> {
         let base = self.base();
         diagnosis::conflict(model, base.conic(), &base.cone_contacts(), z)
     }

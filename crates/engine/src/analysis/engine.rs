@@ -396,7 +396,7 @@ impl Context<'_> {
                 match problem.recover(self.model, solution, &self.options.solve.patterns) {
                     Ok(answer) => return Ok(Some(answer)),
                     Err(RecoverError::Model(e)) => return Err(e.into()),
-                    Err(e) => outcome.trouble = Some(e.to_string()),
+                    Err(e) => outcome.trouble = Some(e.text()),
                 }
             }
             SolveStatus::Unbounded => {

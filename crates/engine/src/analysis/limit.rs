@@ -101,7 +101,7 @@ fn programs(
                     pass.static_velocities = Some(velocities);
                 }
             }
-            Err(e) => pass.slides = Some(e.into_first().message),
+            Err(e) => pass.slides = Some(e.text()),
         }
     }
     complete(&mut pass, model, &options.remaining(start), progress)?;

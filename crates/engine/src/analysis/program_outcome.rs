@@ -3,6 +3,7 @@
 use crate::analysis::memory::Room;
 use crate::analysis::program::Program;
 use crate::solve::{Forecast, Iteration, SolveStatus};
+use bracket_base::words::Text;
 
 /// A program that was not started because its solve does not fit into the memory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,15 +46,15 @@ pub struct ProgramOutcome {
     pub yielding: Option<usize>,
     /// Number of solves.
     pub rounds: u32,
-    /// For an unbounded program: the parts that move, as text.
-    pub mechanism: Option<String>,
-    /// For an infeasible program: the contacts that exclude each other, as text.
-    pub conflict: Option<String>,
+    /// For an unbounded program: the parts that move.
+    pub mechanism: Option<Text>,
+    /// For an infeasible program: the contacts that exclude each other.
+    pub conflict: Option<Text>,
     /// For a solve that ended without a solution and without a certificate: the tets whose shape
-    /// can be the cause, as text.
-    pub long_tets: Option<String>,
+    /// can be the cause.
+    pub long_tets: Option<Text>,
     /// Why no field could be certified although the solve ended with an optimal solution.
-    pub trouble: Option<String>,
+    pub trouble: Option<Text>,
 }
 
 /// The programs that ran or were to run, each with its outcome.

@@ -10,6 +10,7 @@ mod v4;
 use super::TetMesh;
 use super::error::{MeshError, MshPlace};
 use bracket_base::text_file;
+use bracket_base::words::Text;
 use lines::Lines;
 use std::path::Path;
 
@@ -22,7 +23,7 @@ pub fn read(path: &Path) -> Result<TetMesh, MeshError> {
 }
 
 /// Like [`read`], with the notes of the reader.
-pub fn read_with_notes(path: &Path) -> Result<(TetMesh, Vec<String>), MeshError> {
+pub fn read_with_notes(path: &Path) -> Result<(TetMesh, Vec<Text>), MeshError> {
     parse(&bytes(path)?, path)
 }
 
@@ -38,11 +39,11 @@ fn bytes(path: &Path) -> Result<Vec<u8>, MeshError> {
 }
 
 /// Reads the bytes of a mesh file; `file` is the name for messages.
-pub fn parse(bytes: &[u8], file: &Path) -> Result<(TetMesh, Vec<String>), MeshError> {
+pub fn parse(bytes: &[u8], file: &Path) -> Result<(TetMesh, Vec<Text>), MeshError> {
     content(bytes, file, false)
 }
 
-fn content(bytes: &[u8], file: &Path, flat_too: bool) -> Result<(TetMesh, Vec<String>), MeshError> {
+fn content(bytes: &[u8], file: &Path, flat_too: bool) -> Result<(TetMesh, Vec<Text>), MeshError> {
     let at = |line| MshPlace { file: file.to_path_buf(), line };
     // the header is read as bytes, because no text follows it in a binary file
     let mut head =

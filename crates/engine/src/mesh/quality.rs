@@ -3,6 +3,8 @@
 use super::TetMesh;
 use super::tet::FACES;
 use bracket_base::math::vec3::{V3, area_vector, dot, norm, sub};
+use bracket_base::say;
+use bracket_base::words::Text;
 use serde::Serialize;
 
 /// Quality of one body's tets.
@@ -159,17 +161,20 @@ pub fn length_over_thickness(x: &[V3; 4]) -> f64 {
     longest * largest / (3.0 * volume)
 }
 
-/// Number, body, place and shape of a tet, as text.
-pub fn tet_words(mesh: &TetMesh, tet: usize) -> String {
+/// Number, body, place and shape of a tet.
+pub fn tet_words(mesh: &TetMesh, tet: usize) -> Text {
     let corners = mesh.corners(tet);
     let body = mesh.bodies.get(mesh.tet_body[tet] as usize).map_or("", String::as_str);
     // rounded before it is printed, and without the sign of a zero
     let tenth = |x: f64| (10.0 * x).round() / 10.0 + 0.0;
     let [x, y, z] = [0, 1, 2].map(|k| tenth(corners.iter().map(|c| 0.25 * c[k]).sum::<f64>()));
     let ratio = length_over_thickness(&corners);
-    format!(
-        "tet {tet} of body `{body}` near ({x:.1}, {y:.1}, {z:.1}) mm, {ratio:.0} times as long as \
-         thick"
+    say!(
+        "tet {} of body `{}` near {} mm, {} times as long as thick",
+        tet,
+        body.to_owned(),
+        format!("({x:.1}, {y:.1}, {z:.1})"),
+        format!("{ratio:.0}")
     )
 }
 
@@ -213,6 +218,6 @@ mod tests {
         assert_eq!(long_tets(&mesh, 50.0), [1, 0]);
         assert_eq!(long_tets(&mesh, 100.0), [1]);
         let words = "tet 1 of body `B` near (1.3, 1.3, 0.0) mm, 566 times as long as thick";
-        assert_eq!(tet_words(&mesh, 1), words);
+        assert_eq!(tet_words(&mesh, 1).to_string(), words);
     }
 }

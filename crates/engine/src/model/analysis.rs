@@ -11,6 +11,7 @@ use crate::mesh::split::{OpenPair, TetFace};
 use crate::model::AnalysisKind;
 use crate::model::FrictionLaw;
 use bracket_base::math::mandel::{Isotropic, yield_radius};
+use bracket_base::words::Text;
 use std::sync::Arc;
 
 /// An isotropic material.
@@ -269,7 +270,7 @@ pub struct AnalysisModel {
     /// Number of copies of the meshed part that make the structure.
     pub symmetry: u32,
     /// Assumptions and warnings of the reader, for the report.
-    pub notes: Vec<String>,
+    pub notes: Vec<Text>,
 }
 
 impl AnalysisModel {

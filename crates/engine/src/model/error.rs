@@ -1,31 +1,25 @@
 //! Errors of a model: the reasons why no program can be built from it.
 
+use bracket_base::say;
+use bracket_base::words::Text;
+use std::fmt;
+
 /// Reason why no program can be built from a model.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum ModelError {
     /// Two rigid faces share nodes in a component both of them move.
-    #[error("rigid faces `{0}` and `{1}` share an edge and both move it in {2}")]
     RigidFacesTouch(String, String, &'static str),
     /// A tet too flat for its stress parameters.
-    #[error("the static program needs rounder tets than {words}")]
     FlatTet {
         /// Index of the tet, from 0.
         tet: usize,
         /// Its number, body, place and shape, see [`crate::mesh::quality::tet_words`].
-        words: String,
+        words: Text,
     },
     /// Nothing can give way.
-    #[error(
-        "no body has a yield strength and no contact can slip or open: there is nothing that \
-         could collapse"
-    )]
     NothingYields,
     /// Something fixes the closure of a cut, along which the preload should draw the halves of the
     /// bolt together.
-    #[error(
-        "{holder} at the rim of the cut `{cut}` prevents its halves from moving relative to each \
-         other"
-    )]
     CutHeld {
         /// Support, rigid face, weld or cut that fixes it.
         holder: &'static str,
@@ -33,21 +27,59 @@ pub enum ModelError {
         cut: String,
     },
     /// A force per volume that the load factor multiplies.
-    #[error(
-        "a body force on `{0}` carries the load factor: limit analysis takes body forces as dead \
-         loads only"
-    )]
     LiveBodyForce(String),
     /// The loads that carry the load factor can do no work.
-    #[error(
-        "every load that carries the load factor acts on fixed displacements: the load factor has \
-         no limit"
-    )]
     LiveLoadsHeld,
     /// No load carries the load factor.
-    #[error("no load carries the load factor: there is nothing for limit analysis to increase")]
     NoLiveLoad,
 }
+
+impl ModelError {
+    /// The reason in words.
+    pub fn text(&self) -> Text {
+        match self {
+            ModelError::RigidFacesTouch(a, b, axis) => {
+                say!("rigid faces `{}` and `{}` share an edge and both move it in {}", a, b, *axis)
+            }
+            ModelError::FlatTet { words, .. } => {
+                say!("the static program needs rounder tets than {}", words)
+            }
+            ModelError::NothingYields => {
+                "no body has a yield strength and no contact can slip or open: there is nothing \
+                 that could collapse"
+                    .into()
+            }
+            ModelError::CutHeld { holder, cut } => say!(
+                "{} at the rim of the cut `{}` prevents its halves from moving relative to each \
+                 other",
+                *holder,
+                cut
+            ),
+            ModelError::LiveBodyForce(body) => say!(
+                "a body force on `{}` carries the load factor: limit analysis takes body forces \
+                 as dead loads only",
+                body
+            ),
+            ModelError::LiveLoadsHeld => {
+                "every load that carries the load factor acts on fixed displacements: the load \
+                 factor has no limit"
+                    .into()
+            }
+            ModelError::NoLiveLoad => {
+                "no load carries the load factor: there is nothing for limit analysis to increase"
+                    .into()
+            }
+        }
+    }
+}
+
+impl fmt::Display for ModelError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.text().fmt(f)
+    }
+}
+
+impl std::error::Error for ModelError {}
 
 impl From<ModelError> for bracket_base::diag::Diagnostic {
     fn from(e: ModelError) -> Self {

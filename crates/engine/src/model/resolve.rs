@@ -22,9 +22,11 @@ use crate::mesh::topology::FaceTable;
 use crate::mesh::{TetMesh, merge, msh};
 use crate::model::AnalysisKind;
 use bracket_base::diag::{Diagnostic, Diagnostics, Place};
+use bracket_base::say;
 use bracket_base::text_file;
 use bracket_base::yaml;
 use faults::Faults;
+pub use motions::LooseParts;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -109,15 +111,16 @@ pub fn resolve(
     if file.nodes == Nodes::Split {
         let gone = merge::merge_coincident(&mut mesh)?;
         if gone == 0 && mesh.bodies.len() > 1 && !file.interfaces.is_empty() {
-            notes.push("`nodes: split`, but no two bodies have coincident nodes".to_string());
+            notes.push("`nodes: split`, but no two bodies have coincident nodes".into());
         }
     }
     if file.nodes == Nodes::Shared && mesh.bodies.len() > 1 {
         let mut probe = mesh.clone();
         match merge::merge_coincident(&mut probe) {
-            Ok(n) if n > 0 => notes.push(format!(
-                "warning: {n} nodes of different bodies coincide but are not shared: the bodies \
-                 are not connected there; `nodes: split` pairs them"
+            Ok(n) if n > 0 => notes.push(say!(
+                "warning: {} nodes of different bodies coincide but are not shared: the bodies \
+                 are not connected there; `nodes: split` pairs them",
+                n
             )),
             _ => {}
         }
@@ -157,7 +160,7 @@ pub fn resolve(
         && rigid.iter().all(no_action)
         && preload.is_empty()
     {
-        notes.push("there is no load".to_string());
+        notes.push("there is no load".into());
     }
     let mut model = AnalysisModel {
         analysis: file.analysis,
@@ -182,12 +185,10 @@ pub fn resolve(
         symmetry: file.symmetry,
         notes,
     };
-    model.free_modes = motions::free_modes(&model)?;
+    model.free_modes = motions::free_modes(&model).map_err(Diagnostic::from)?;
     for mode in &model.free_modes {
-        let note = format!(
-            "{}: no load works on it, it is held at one point",
-            motions::in_words(&model, mode)
-        );
+        let motion = motions::in_words(&model, mode);
+        let note = say!("{}: no load works on it, it is held at one point", motion);
         model.notes.push(note);
     }
     Ok(model)
@@ -195,7 +196,7 @@ pub fn resolve(
 
 /// The model with every contact frictionless, and with pins against the rigid motions that friction
 /// resisted. An error names the parts that a load drives along such a motion.
-pub fn without_friction(model: &AnalysisModel) -> Result<AnalysisModel, Diagnostics> {
+pub fn without_friction(model: &AnalysisModel) -> Result<AnalysisModel, LooseParts> {
     let mut smooth = model.without_friction();
     smooth.free_modes = motions::free_modes(&smooth)?;
     Ok(smooth)

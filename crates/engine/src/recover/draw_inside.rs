@@ -18,6 +18,9 @@ use crate::model::loads::Loads;
 use crate::recover::elastic::RecoverError;
 use bracket_base::math::mandel::{Mandel, deviator};
 use bracket_base::math::vec3::{self, V3};
+use bracket_base::say;
+use bracket_base::words::Text;
+use std::fmt;
 
 /// Largest violation of a friction cone, relative to the largest traction, that rounding explains.
 const ROUNDING: f64 = 1e-12;
@@ -32,35 +35,61 @@ pub struct Lower {
 }
 
 /// Reason why a stress field proves no load factor.
-#[derive(Clone, Debug, thiserror::Error)]
+#[derive(Clone, Debug)]
 pub enum LowerError {
     /// The projection failed.
-    #[error(transparent)]
-    Recover(#[from] RecoverError),
+    Recover(RecoverError),
     /// Dead loads act, and no field of the dead loads alone is given.
-    #[error(
-        "with dead loads a lower bound needs a stress field of the dead loads alone, and none is \
-         given"
-    )]
     NoDeadField,
     /// The field of the dead loads is not strictly admissible.
-    #[error(
-        "the stress field of the dead loads alone is not strictly admissible ({what}): without \
-         the live loads the structure may not stand"
-    )]
     DeadField {
         /// The violated condition.
-        what: String,
+        what: Text,
     },
     /// The field is not in equilibrium to rounding.
-    #[error(
-        "the stress field cannot be brought into equilibrium: a residual of {residual:.1e} is \
-         left, the limit is {TOLERANCE:.0e}"
-    )]
     Unbalanced {
         /// Largest relative residual.
         residual: f64,
     },
+}
+
+impl LowerError {
+    /// The reason in words.
+    pub fn text(&self) -> Text {
+        match self {
+            LowerError::Recover(e) => e.text(),
+            LowerError::NoDeadField => {
+                "with dead loads a lower bound needs a stress field of the dead loads alone, and \
+                 none is given"
+                    .into()
+            }
+            LowerError::DeadField { what } => say!(
+                "the stress field of the dead loads alone is not strictly admissible ({}): \
+                 without the live loads the structure may not stand",
+                what
+            ),
+            LowerError::Unbalanced { residual } => say!(
+                "the stress field cannot be brought into equilibrium: a residual of {} is left, \
+                 the limit is {}",
+                format!("{residual:.1e}"),
+                format!("{TOLERANCE:.0e}")
+            ),
+        }
+    }
+}
+
+impl fmt::Display for LowerError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.text().fmt(f)
+    }
+}
+
+impl std::error::Error for LowerError {}
+
+impl From<RecoverError> for LowerError {
+    fn from(e: RecoverError) -> Self {
+        LowerError::Recover(e)
+    }
 }
 
 /// Refuses a field of the dead loads that is not strictly admissible.
@@ -70,16 +99,17 @@ pub(crate) fn check_dead(model: &AnalysisModel, field: &StressField) -> Result<(
     let used = c.worst();
     let (balanced, below_yield) = (residual <= TOLERANCE, used + c.cover < 1.0);
     let what = match c.contact {
-        _ if !balanced => format!("equilibrium is missed by {residual:.1e}"),
+        _ if !balanced => say!("equilibrium is missed by {}", format!("{residual:.1e}")),
         _ if !below_yield && used > c.utilisation => {
-            format!("{used:.4} times the strength of a weld")
+            say!("{} times the strength of a weld", format!("{used:.4}"))
         }
         _ if !below_yield => {
-            let part = c.limiting_part.map_or("", |p| model.parts[p as usize].as_str());
-            format!("{:.4} times the yield strength in part {part}", c.utilisation)
+            let part = c.limiting_part.map_or(String::new(), |p| model.parts[p as usize].clone());
+            let times = format!("{:.4}", c.utilisation);
+            say!("{} times the yield strength in part {}", times, part)
         }
         Some(violation) if violation > ROUNDING => {
-            format!("a friction cone is violated by {violation:.1e}")
+            say!("a friction cone is violated by {}", format!("{violation:.1e}"))
         }
         _ => return Ok(()),
     };

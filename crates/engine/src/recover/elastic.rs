@@ -24,34 +24,26 @@ use crate::recover::moving_parts::rigid_mechanism;
 use crate::recover::restore_equilibrium::restore_equilibrium;
 use crate::solve::Solution;
 use crate::solve::sparse::{LinearError, Patterns, SparseCholesky};
+use bracket_base::say;
+use bracket_base::words::Text;
 use rayon::prelude::*;
+use std::fmt;
 
 /// Margin of the traction of a weld below its strength, relative to the strength.
 const INSIDE: f64 = 1e-9;
+
 /// Reason why a field could not be recovered.
-#[derive(Clone, Debug, thiserror::Error)]
+#[derive(Clone, Debug)]
 pub enum RecoverError {
     /// The linear system failed.
-    #[error(transparent)]
-    Linear(#[from] LinearError),
+    Linear(LinearError),
     /// An element failed.
-    #[error(transparent)]
-    Model(#[from] ModelError),
+    Model(ModelError),
     /// No contact forces balance the loads; the motion that they drive, in words.
-    #[error("no contact forces that press and stay within friction can carry the loads: {0}")]
-    NoEquilibrium(String),
+    NoEquilibrium(Text),
     /// Contact forces in balance with the loads were not found; the parts that only contact holds.
-    #[error(
-        "contact forces in balance with the loads were not found near those of the solver (only \
-         contact holds part(s) {0}): some are as small as its error"
-    )]
     Unbalanced(String),
     /// The fixed point for Coulomb friction was not found.
-    #[error(
-        "the fixed point for Coulomb friction did not converge: after {solves} solves the slips \
-         still change by {change:.1e} of the largest; `friction: associated` needs no fixed \
-         point"
-    )]
     NotConverged {
         /// Number of solves.
         solves: usize,
@@ -59,8 +51,53 @@ pub enum RecoverError {
         change: f64,
     },
     /// A field proves no load factor; the reason in words.
-    #[error("{0}")]
-    Factor(String),
+    Factor(Text),
+}
+
+impl RecoverError {
+    /// The reason in words.
+    pub fn text(&self) -> Text {
+        match self {
+            RecoverError::Linear(e) => e.text(),
+            RecoverError::Model(e) => e.text(),
+            RecoverError::NoEquilibrium(motion) => say!(
+                "no contact forces that press and stay within friction can carry the loads: {}",
+                motion
+            ),
+            RecoverError::Unbalanced(parts) => say!(
+                "contact forces in balance with the loads were not found near those of the \
+                 solver (only contact holds part(s) {}): some are as small as its error",
+                parts
+            ),
+            RecoverError::NotConverged { solves, change } => say!(
+                "the fixed point for Coulomb friction did not converge: after {} solves the slips \
+                 still change by {} of the largest; `friction: associated` needs no fixed point",
+                *solves,
+                format!("{change:.1e}")
+            ),
+            RecoverError::Factor(why) => why.clone(),
+        }
+    }
+}
+
+impl fmt::Display for RecoverError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.text().fmt(f)
+    }
+}
+
+impl std::error::Error for RecoverError {}
+
+impl From<LinearError> for RecoverError {
+    fn from(e: LinearError) -> Self {
+        RecoverError::Linear(e)
+    }
+}
+
+impl From<ModelError> for RecoverError {
+    fn from(e: ModelError) -> Self {
+        RecoverError::Model(e)
+    }
 }
 
 /// The displacement field of a kinematic solution, contacts opened where the solver left them

@@ -26,7 +26,10 @@ use crate::recover::force_sets::{cone_ranges, into_cone};
 use crate::solve::sparse::{Patterns, SparseCholesky};
 use bracket_base::math::Sum;
 use bracket_base::math::mandel::Mandel;
+use bracket_base::say;
+use bracket_base::words::Text;
 use rayon::prelude::*;
+use std::fmt;
 
 /// Weight γ of the equations against the stiffness.
 const AUGMENTED: f64 = 1e6;
@@ -61,22 +64,46 @@ pub struct Upper {
 }
 
 /// Reason why velocities prove no load factor.
-#[derive(Clone, Debug, thiserror::Error)]
+#[derive(Clone, Debug)]
 pub enum UpperError {
     /// The projection failed.
-    #[error(transparent)]
-    Recover(#[from] RecoverError),
+    Recover(RecoverError),
     /// The live loads do no work.
-    #[error(
-        "the live loads do no work on the velocities that keep the volume: their power is \
-         {power:.3e} of {before:.3e} N mm"
-    )]
     NoPower {
         /// Power on the projected velocities.
         power: f64,
         /// Power on the given velocities.
         before: f64,
     },
+}
+
+impl UpperError {
+    /// The reason in words.
+    pub fn text(&self) -> Text {
+        match self {
+            UpperError::Recover(e) => e.text(),
+            UpperError::NoPower { power, before } => say!(
+                "the live loads do no work on the velocities that keep the volume: their power is \
+                 {} of {} N mm",
+                format!("{power:.3e}"),
+                format!("{before:.3e}")
+            ),
+        }
+    }
+}
+
+impl fmt::Display for UpperError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.text().fmt(f)
+    }
+}
+
+impl std::error::Error for UpperError {}
+
+impl From<RecoverError> for UpperError {
+    fn from(e: RecoverError) -> Self {
+        UpperError::Recover(e)
+    }
 }
 
 /// The strict upper bound near approximate velocities; see [`certify_upper`] for `subdivisions`;

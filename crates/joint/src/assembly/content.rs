@@ -1,6 +1,7 @@
 //! What a joint is made of: members, plates, bolts with the parts that they clamp, and welds. Lists
 //! and drawings show it.
 
+use bracket_base::words::Text;
 use serde::Serialize;
 
 /// Extent along x, y and z \[mm\].
@@ -31,7 +32,7 @@ pub struct Piece {
     /// The part that it belongs to.
     pub part: String,
     /// Words for lists.
-    pub label: String,
+    pub label: Text,
     /// What it is.
     pub kind: PieceKind,
     /// Its extent.
@@ -43,7 +44,7 @@ pub struct Piece {
     pub steel: String,
     /// Reason of the template why it needs no check by code.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub no_check: Option<String>,
+    pub no_check: Option<Text>,
 }
 
 impl Piece {
@@ -72,7 +73,7 @@ pub struct Length {
     /// The part that it belongs to.
     pub part: String,
     /// Words for lists.
-    pub label: String,
+    pub label: Text,
     /// Member role of the spec.
     pub role: String,
     /// Name of the section.
@@ -87,7 +88,7 @@ pub struct Length {
     pub steel: String,
     /// Reason of the template why it needs no check by code.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub no_check: Option<String>,
+    pub no_check: Option<Text>,
 }
 
 impl Length {
@@ -149,13 +150,13 @@ pub struct Seam {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct NotChecked {
     /// Names of the parts.
-    pub parts: Vec<String>,
-    /// What they are, in words.
-    pub label: String,
+    pub parts: Vec<Text>,
+    /// What they are.
+    pub label: Text,
     /// Reason, in a sentence.
-    pub why: String,
+    pub why: Text,
     /// What would decide about them; empty where nothing binds.
-    pub step: &'static str,
+    pub step: Text,
     /// True if a verdict by code cannot be OK for this reason.
     pub binds: bool,
 }

@@ -8,6 +8,8 @@ use super::content::{
 use super::end_plate::EndPlate;
 use super::member_ends::Frame;
 use super::template::EndPlateEntry;
+use bracket_base::say;
+use bracket_base::words::Text;
 
 /// Names the plates of the joint, and tells the hand checks the real grip of the bolts, the welds
 /// and all that they do not cover. `frames` are those of the member ends named in `hand_checks`; if
@@ -157,11 +159,12 @@ fn absent(content: &Content, e: &EndPlate, frames: &[Frame]) -> Vec<NotChecked> 
     .map(|(_, _, _, label, key)| NotChecked {
         parts: vec![label.into()],
         label: label.into(),
-        why: format!(
-            "`hand_checks` of the template counts it ({key}), and the parts of the template have \
-             none at that place with these sizes"
+        why: say!(
+            "`hand_checks` of the template counts it ({}), and the parts of the template have \
+             none at that place with these sizes",
+            key.to_owned()
         ),
-        step: "a template whose parts and `hand_checks` agree",
+        step: "a template whose parts and `hand_checks` agree".into(),
         binds: true,
     })
     .collect()
@@ -189,7 +192,7 @@ impl Plies {
         let flange = e.column.as_ref().map(|c| c.section.tf);
         let bolts =
             content.fasteners.iter().filter(|b| b.through.iter().any(|p| is_plate(&p.part)));
-        let mut strange: Vec<String> = Vec::new();
+        let mut strange: Vec<Text> = Vec::new();
         let mut outer: Vec<(String, String)> = Vec::new();
         for b in bolts {
             let grip = b.grip();
@@ -209,7 +212,7 @@ impl Plies {
                 _ => false,
             };
             if !whole {
-                strange.push(b.name.clone());
+                strange.push(Text::given(&b.name));
                 continue;
             }
             for (i, p) in b.through.iter().enumerate().filter(|(i, _)| !cores.contains(i)) {
@@ -225,12 +228,13 @@ impl Plies {
             out.faults.push(NotChecked {
                 parts: strange,
                 label: "bolts".into(),
-                why: format!(
-                    "the checks take bolts through the end plate and {what}, one on the other; \
-                     these pass other parts between them, or other thicknesses (for packings EN \
-                     1993-1-8 3.6.1(12) reduces the shear resistance)"
+                why: say!(
+                    "the checks take bolts through the end plate and {}, one on the other; these \
+                     pass other parts between them, or other thicknesses (for packings EN \
+                     1993-1-8 3.6.1(12) reduces the shear resistance)",
+                    what
                 ),
-                step: "bolts through these two alone, or a check of them by hand",
+                step: "bolts through these two alone, or a check of them by hand".into(),
                 binds: true,
             });
         }
@@ -253,7 +257,7 @@ impl Plies {
                 why: "it lies under heads or nuts alone: its thickness is in the grip of the \
                       bolts, its strength is neglected, which is on the safe side"
                     .into(),
-                step: "",
+                step: Text::default(),
                 binds: false,
             });
         }
@@ -272,13 +276,14 @@ fn extents(assembly: &Assembly, part: &str) -> Vec<Extent> {
 }
 
 /// Names of the parts of plates with the same label.
-fn by_label(content: &Content, of: impl Fn(&Piece) -> bool) -> Vec<(String, Vec<String>)> {
-    let mut out: Vec<(String, Vec<String>)> = Vec::new();
+fn by_label(content: &Content, of: impl Fn(&Piece) -> bool) -> Vec<(Text, Vec<Text>)> {
+    let mut out: Vec<(Text, Vec<Text>)> = Vec::new();
     for p in content.pieces.iter().filter(|p| of(p)) {
+        let part = Text::given(&p.part);
         match out.iter_mut().find(|(label, _)| *label == p.label) {
-            Some((_, parts)) if parts.contains(&p.part) => {}
-            Some((_, parts)) => parts.push(p.part.clone()),
-            None => out.push((p.label.clone(), vec![p.part.clone()])),
+            Some((_, parts)) if parts.contains(&part) => {}
+            Some((_, parts)) => parts.push(part),
+            None => out.push((p.label.clone(), vec![part])),
         }
     }
     out
@@ -287,23 +292,25 @@ fn by_label(content: &Content, of: impl Fn(&Piece) -> bool) -> Vec<(String, Vec<
 /// Plates and members that the hand checks do not know.
 fn others(content: &Content, outer: &[String]) -> Vec<NotChecked> {
     let mut out = Vec::new();
-    let mut add = |label: &str, part: &str, no_check: &Option<String>| {
+    let mut add = |label: &Text, part: &str, no_check: &Option<Text>| {
+        let part = Text::given(part);
         let why = match no_check {
-            Some(reason) => format!("the template says: {reason}"),
+            Some(reason) => say!("the template says: {}", reason),
             None => "it is in the geometry and the drawing, no check by code covers it or what it \
                      changes in the joint"
                 .into(),
         };
         let binds = no_check.is_none();
-        let like = |n: &&mut NotChecked| n.label == label && n.why == why;
+        let like = |n: &&mut NotChecked| n.label == *label && n.why == why;
         match out.iter_mut().find(like) {
-            Some(n) if n.parts.iter().any(|p| p == part) => {}
-            Some(n) => n.parts.push(part.to_owned()),
+            Some(n) if n.parts.contains(&part) => {}
+            Some(n) => n.parts.push(part),
             None => out.push(NotChecked {
-                parts: vec![part.to_owned()],
-                label: label.to_owned(),
+                parts: vec![part],
+                label: label.clone(),
                 why,
-                step: "a check of it by hand; the template can then state that with `no_check`",
+                step: "a check of it by hand; the template can then state that with `no_check`"
+                    .into(),
                 binds,
             }),
         }
@@ -342,16 +349,16 @@ fn strange_welds(
             of_flange && same(w.throat, e.flange_throat) || of_web && same(w.throat, e.web_throat)
         })
     };
-    let welds: Vec<String> = assembly
+    let welds: Vec<Text> = assembly
         .welds
         .iter()
         .filter(known)
         .filter(|w| !agrees(w))
-        .map(|w| w.name.clone())
+        .map(|w| Text::given(&w.name))
         .collect();
     let why = "the checks know the welds of the beam's flanges and of its web to the end plate, \
                these have another place or another throat";
-    let step = "a check of these welds by hand";
+    let step = "a check of these welds by hand".into();
     let (label, why) = ("welds".into(), why.into());
     let one = NotChecked { parts: welds, label, why, step, binds: true };
     if one.parts.is_empty() { Vec::new() } else { vec![one] }

@@ -2,16 +2,15 @@
 //! values.
 
 use super::actions::PlaneActions;
+use super::builder::Context;
 use super::code_values::CodeValues;
 use super::column_ends::ColumnEnds;
 use super::column_span::ColumnSpan;
 use super::content::NotChecked;
 use super::error::AssemblyError;
-use super::inputs::Inputs;
-use super::scope::Scope;
 use super::small_actions::SmallActions;
 use super::spec_checks::system_length;
-use super::template::{EndPlateEntry, Template};
+use super::template::EndPlateEntry;
 use crate::catalog::{BoltGrade, BoltSize, IProfile};
 use crate::spec::code::{FySource, PartialFactors, PryingRule};
 use crate::spec::connection::{BoltCategory, ConnectionSpec};
@@ -19,7 +18,9 @@ use crate::spec::expr::{Expr, ExprError};
 use crate::spec::loads::LoadSpec;
 use crate::spec::welds::WeldSpec;
 use crate::strength::Strength;
+use bracket_base::say;
 use bracket_base::units::limits;
+use bracket_base::words::Text;
 use serde::Serialize;
 
 /// Cut-off of a stiffener beyond the root radius \[mm\], where the template gives none. Source:
@@ -81,9 +82,9 @@ pub struct UnseenLoad {
     /// Its load case.
     pub case: String,
     /// The reason in one sentence.
-    pub why: String,
+    pub why: Text,
     /// What would bring it into the checks.
-    pub step: String,
+    pub step: Text,
 }
 
 /// A bolted end plate between a beam and the flange of a column, or between two beams with the same
@@ -204,19 +205,20 @@ fn unseen(spec: &ConnectionSpec, entry: &EndPlateEntry, small: &SmallActions) ->
         .is_some_and(|m| m.n_ed.is_some() || m.m_ed.is_some());
     let why = |l: &LoadSpec| match (&l.end, &l.section) {
         (Some(end), _) if !entry.ends.contains(end) => Some((
-            format!(
-                "`{end}` is none of the ends that `hand_checks` of the template name: what acts \
-                 there is not checked"
+            say!(
+                "`{}` is none of the ends that `hand_checks` of the template name: what acts \
+                 there is not checked",
+                end
             ),
             "a template that names this end".into(),
         )),
         (None, Some(section)) if demanded(&l.name) && !given => {
             let step = match &entry.column {
-                Some(c) => format!("members.{c}.N_Ed and M_Ed in the spec"),
+                Some(c) => say!("members.{}.N_Ed and M_Ed in the spec", c),
                 None => "a load at a member end in its place".into(),
             };
             let why =
-                format!("what acts on `{section}` beside the member ends is not in the checks");
+                say!("what acts on `{}` beside the member ends is not in the checks", section);
             Some((why, step))
         }
         _ => None,
@@ -228,15 +230,13 @@ fn unseen(spec: &ConnectionSpec, entry: &EndPlateEntry, small: &SmallActions) ->
     loads().filter_map(of).collect()
 }
 
-/// The values of the template's `hand_checks`; `None` if it has none.
+/// The values of the template's `hand_checks`.
 pub(super) fn end_plate(
-    spec: &ConnectionSpec,
-    template: &Template,
-    (inputs, scope, code): (&Inputs<'_>, &Scope, &CodeValues),
-    small: &SmallActions,
+    &Context { spec, inputs, scope, small, .. }: &Context<'_>,
+    entry: &EndPlateEntry,
+    code: &CodeValues,
     actions: Vec<PlaneActions>,
-) -> Result<Option<EndPlate>, AssemblyError> {
-    let Some(entry) = &template.hand_checks else { return Ok(None) };
+) -> Result<EndPlate, AssemblyError> {
     let wrong = |key: &str, problem: String| AssemblyError::TemplateEntry {
         at: format!("hand_checks.{key}"),
         problem,
@@ -321,7 +321,7 @@ pub(super) fn end_plate(
         }
     };
     let column_flange = column.as_ref().map(|c: &ColumnSide| c.section.tf);
-    Ok(Some(EndPlate {
+    Ok(EndPlate {
         beam_steel: inputs.strength(spec, &role(&entry.beam), beam.tf)?,
         plate_steel: inputs.strength(spec, &entry.steel, thickness)?,
         column,
@@ -355,5 +355,5 @@ pub(super) fn end_plate(
         annex: code.annex.clone(),
         fy_source: spec.code.fy_source,
         factors: code.factors,
-    }))
+    })
 }

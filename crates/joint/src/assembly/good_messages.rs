@@ -83,7 +83,8 @@ fn a_fault_names_the_value_that_must_change() {
 fn values_without_effect_are_named() {
     let notes = |more: &str| {
         let text = COLUMN_JOINT.replace("loads:", &format!("{more}\nloads:"));
-        joint(&text).expect("it builds").notes
+        let notes = joint(&text).expect("it builds").notes;
+        notes.iter().map(ToString::to_string).collect::<Vec<_>>()
     };
     for (more, named) in [
         ("parameters: {doubler_thickness: 10}", "parameters.doubler_thickness"),

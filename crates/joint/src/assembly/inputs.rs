@@ -12,6 +12,7 @@ use crate::spec::expr::Value;
 use crate::strength::{BoltShank, Nominal, NominalStrength, Strength};
 use bracket_base::diag::{AtLeastOne, did_you_mean, number};
 use bracket_base::units::limits;
+use bracket_base::words::Text;
 use std::collections::BTreeMap;
 
 /// Young's modulus and Poisson's ratio of bolts (EN 1993-1-1, 3.2.6) \[MPa\].
@@ -248,7 +249,7 @@ impl<'a> Inputs<'a> {
     pub fn friction_resolved(&self, spec: &ConnectionSpec) -> Resolved {
         Resolved {
             name: "friction.mu".into(),
-            value: self.mu.to_string(),
+            value: Text::given(self.mu.to_string()),
             given: spec.friction.mu.is_some() || spec.friction.class.is_some(),
             default: Some("0".into()),
             range: Some("0 to 2".into()),
@@ -263,7 +264,7 @@ impl<'a> Inputs<'a> {
         let (size, grade) = self.bolt?;
         Some(Resolved {
             name: "bolts.preload".into(),
-            value: self.preload.map_or("none".into(), |f| Value::force(f).to_string()),
+            value: self.preload.map_or("none".into(), |f| Value::force(f).text()),
             given: spec.bolts.as_ref().is_some_and(|b| b.preload.is_some()),
             default: Some("none".into()),
             range: Some(format!(

@@ -4,10 +4,8 @@ use super::actions;
 use super::assembly::{Assembly, Part};
 use super::builder::{BoltLine, Context};
 use super::code_values::CodeValues;
-use super::column_span::column_span;
 use super::content::Content;
 use super::coverage;
-use super::end_plate::end_plate;
 use super::error::AssemblyError;
 use super::evaluate::{entry_fault, rules, within};
 use super::facts::Facts;
@@ -23,9 +21,11 @@ use super::symmetry;
 use super::template::Template;
 use super::template_file::{self, ReadTemplate, Templates};
 use crate::catalog::Catalog;
-use crate::spec::code::PartialFactors;
+use crate::spec::code::{Edition, PartialFactors};
 use crate::spec::connection::ConnectionSpec;
 use bracket_base::diag::{AtLeastOne, Diagnostic, Diagnostics};
+use bracket_base::say;
+use bracket_base::words::Text;
 use bracket_base::yaml::Parsed;
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -42,11 +42,14 @@ pub struct Joint {
     /// Data of the connection for the hand checks, if the template gives them.
     #[serde(flatten)]
     pub facts: Option<Facts>,
+    /// Edition of the design code by which it was built.
+    #[serde(skip)]
+    pub edition: Edition,
     /// Partial factors of the design code.
     pub factors: PartialFactors,
     /// Notes on the input that the report must contain.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub notes: Vec<String>,
+    pub notes: Vec<Text>,
     /// What it is made of.
     pub content: Content,
     /// Lines of action of the bolts whose nuts are in contact.
@@ -154,21 +157,14 @@ pub fn build_from(
         }
         None => Default::default(),
     };
-    let mut end_plate = end_plate(&spec.value, template, (&inputs, &scope, &code), &small, actions)
-        .map_err(alone)?;
-    let role = template.hand_checks.as_ref().and_then(|h| h.column.as_ref());
-    let column = end_plate.as_mut().and_then(|e| e.column.as_mut());
-    if let (Some(column), Some(role)) = (column, role) {
-        column.span = column_span(&context, &assembly, &frames, role).map_err(alone)?;
-    }
+    let mut facts = Facts::of(&context, &code, &assembly, actions, &frames).map_err(alone)?;
     let mut content = context.content().map_err(alone)?;
-    if let (Some(seen), Some(entry)) = (&mut end_plate, &template.hand_checks) {
-        context.all_seen(&assembly, &frames, seen).map_err(alone)?;
-        coverage::compare(&mut content, &assembly, &frames, entry, seen);
+    if let Some(facts) = &mut facts {
+        facts.compare(&context, &assembly, &frames, &mut content).map_err(alone)?;
     }
     content.seams = coverage::seams(&content, &assembly);
     let without_effect =
-        no_effect::notes(&spec.value, template, &inputs.given, &scope, end_plate.as_ref())
+        no_effect::notes(&spec.value, template, &inputs.given, &scope, facts.as_ref())
             .map_err(alone)?;
     let mut resolved = resolved;
     resolved.extend(inputs.preload_resolved(&spec.value));
@@ -178,7 +174,8 @@ pub fn build_from(
         assembly,
         resolved,
         catalogue: inputs.catalogue(),
-        facts: end_plate.map(Facts::EndPlate),
+        facts,
+        edition: code.edition,
         factors: code.factors,
         notes: code
             .notes
@@ -221,10 +218,11 @@ pub fn given_names(
 }
 
 /// Says that plates were moved onto profiles by at most `largest` \[mm\].
-fn note_of_ledges(largest: f64) -> String {
-    format!(
-        "edges of plates were moved by up to {largest:.3} mm onto those of the profiles, because \
-         no element fits between them"
+fn note_of_ledges(largest: f64) -> Text {
+    say!(
+        "edges of plates were moved by up to {} onto those of the profiles, because no element \
+         fits between them",
+        format!("{largest:.3} mm")
     )
 }
 

@@ -136,7 +136,11 @@ mod tests {
             _ => None,
         });
         assert!(contact.into_iter().any(|y| (y - 129.54).abs() < 1e-9));
-        assert!(joint.notes.iter().any(|n| n.contains("0.030 mm")), "{:?}", joint.notes);
+        assert!(
+            joint.notes.iter().any(|n| n.to_string().contains("0.030 mm")),
+            "{:?}",
+            joint.notes
+        );
     }
 
     #[test]

@@ -2,9 +2,12 @@
 
 use super::end_plate::EndPlate;
 use super::error::AssemblyError;
+use super::facts::Facts;
 use super::scope::{Given, Scope, path_of};
 use super::template::Template;
 use crate::spec::connection::ConnectionSpec;
+use bracket_base::say;
+use bracket_base::words::Text;
 use std::collections::BTreeMap;
 
 /// Notes on the given parameters whose `used_if` is not true, and on the section `welds` of a joint
@@ -14,8 +17,8 @@ pub(super) fn notes(
     template: &Template,
     given: &BTreeMap<String, Given>,
     scope: &Scope,
-    seen: Option<&EndPlate>,
-) -> Result<Vec<String>, AssemblyError> {
+    seen: Option<&Facts>,
+) -> Result<Vec<Text>, AssemblyError> {
     let mut out = Vec::new();
     for p in &template.parameters {
         let Some(condition) = &p.used_if else { continue };
@@ -23,8 +26,8 @@ pub(super) fn notes(
             .truth(condition)
             .map_err(|cause| AssemblyError::Template { at: p.name.clone(), cause })?;
         if !used && given.contains_key(&p.name) {
-            let (path, condition) = (path_of(&p.name), condition.text());
-            out.push(format!("`{path}` has no effect: it counts where `{condition}` is true"));
+            let (path, condition) = (path_of(&p.name), condition.text().to_owned());
+            out.push(say!("`{}` has no effect: it counts where `{}` is true", path, condition));
         }
     }
     let roles = template.hand_checks.as_ref().and_then(|h| Some((h.column.as_ref()?, &h.beam)));
@@ -33,14 +36,17 @@ pub(super) fn notes(
         && length(column).is_some()
         && length(beam).is_none()
     {
-        out.push(format!(
-            "`members.{column}.length` has no effect: it counts beside `members.{beam}.length`"
+        out.push(say!(
+            "`members.{}.length` has no effect: it counts beside `members.{}.length`",
+            column,
+            beam
         ));
     }
     let fillets = |e: &EndPlate| e.flange_throat > 0.0 || e.web_throat > 0.0;
-    if !spec.welds.is_default() && !seen.is_some_and(fillets) {
-        let why = "neither flanges nor web of the beam have fillet welds";
-        out.push(format!("`welds` has no effect: {why}"));
+    if !spec.welds.is_default() && !seen.and_then(Facts::end_plate).is_some_and(fillets) {
+        out.push(
+            "`welds` has no effect: neither flanges nor web of the beam have fillet welds".into(),
+        );
     }
     Ok(out)
 }

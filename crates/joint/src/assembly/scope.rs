@@ -10,6 +10,7 @@ use super::template::{Default, Loop, Parameter, ParameterKind, Template};
 use crate::spec::expr::{Expr, ExprError, Value};
 use bracket_base::diag::{AtLeastOne, did_you_mean};
 use bracket_base::units::Dim;
+use bracket_base::words::{Gap, Text};
 use causes::causes;
 use range::Range;
 use settle::{Pending, Values, settle};
@@ -22,7 +23,7 @@ pub struct Resolved {
     /// Name.
     pub name: String,
     /// Value with its unit.
-    pub value: String,
+    pub value: Text,
     /// True if the spec gives the value, false if it is the template's default.
     pub given: bool,
     /// The template's default expression; `None` if the spec must give a value.
@@ -35,7 +36,7 @@ pub struct Resolved {
     pub about: String,
     /// Origin of the value, where `given` and `default` do not describe it fully.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub origin: Option<String>,
+    pub origin: Option<Text>,
 }
 
 /// Smallest and largest value of a parameter in internal units, and the range in words.
@@ -150,35 +151,37 @@ impl Scope {
 
     /// Replaces `{expr}`, `{#loop}` (label) and `{@loop}` (index from 0) in a text.
     pub fn text(&self, pattern: &str) -> Result<String, ExprError> {
+        self.words(pattern).map(|words| words.to_string())
+    }
+
+    /// The same as a text for a person; what is replaced is given.
+    pub fn words(&self, pattern: &str) -> Result<Text, ExprError> {
         let fault = |message: String| ExprError {
             message,
             text: pattern.to_owned(),
             span: 0..pattern.len(),
         };
-        let mut out = String::new();
+        let (mut id, mut gaps) = (String::new(), Vec::new());
         let mut rest = pattern;
         while let Some(open) = rest.find('{') {
-            out.push_str(&rest[..open]);
+            id.push_str(&rest[..open]);
+            id.push_str("{}");
             let tail = &rest[open + 1..];
             let close = tail.find('}').ok_or_else(|| fault("`{` without `}`".into()))?;
             let inner = tail[..close].trim();
-            match inner.strip_prefix(['#', '@']) {
+            gaps.push(Gap::Given(match inner.strip_prefix(['#', '@']) {
                 Some(name) => {
                     let turn = self.turns.iter().rev().find(|t| t.name == name);
                     let turn =
                         turn.ok_or_else(|| fault(format!("`{name}` is no loop variable here")))?;
-                    if inner.starts_with('#') {
-                        out.push_str(&turn.label);
-                    } else {
-                        out.push_str(&turn.index.to_string());
-                    }
+                    if inner.starts_with('#') { turn.label.clone() } else { turn.index.to_string() }
                 }
-                None => out.push_str(&Expr::parse(inner)?.eval(&mut |n| self.get(n))?.to_string()),
-            }
+                None => Expr::parse(inner)?.eval(&mut |n| self.get(n))?.to_string(),
+            }));
             rest = &tail[close + 1..];
         }
-        out.push_str(rest);
-        Ok(out)
+        id.push_str(rest);
+        Ok(Text { id: id.into(), gaps })
     }
 
     /// One scope for each pass of the nested loops for which `when` holds.
@@ -303,14 +306,13 @@ impl Scope {
     }
 
     /// The value of a parameter as text.
-    fn shown(&self, parameter: &str) -> String {
-        let show = |name: &str| self.get(name).map_or_else(|e| e, |v| v.to_string());
+    fn shown(&self, parameter: &str) -> Text {
+        let show = |name: &str| self.get(name).map_or_else(Text::given, |v| v.text());
         match self.lists.get(parameter) {
             None => show(parameter),
             Some(n) => {
-                let each: Vec<String> =
-                    (1..=*n).map(|i| show(&format!("{parameter}.{i}"))).collect();
-                format!("[{}]", each.join(", "))
+                let each = (1..=*n).map(|i| show(&format!("{parameter}.{i}")));
+                Text::given(format!("[{}]", Text::joined(", ", each)))
             }
         }
     }

@@ -14,6 +14,8 @@ use super::template::Template;
 use crate::spec::connection::ConnectionSpec;
 use crate::spec::loads::{Action, LimitState, LoadSpec};
 use bracket_base::math::vec3::V3;
+use bracket_base::say;
+use bracket_base::words::Text;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -197,18 +199,22 @@ impl SmallActions {
     }
 
     /// What the report says about neglected actions and idle load cases: a sentence each.
-    pub fn notes(&self) -> Vec<String> {
-        let mut out: Vec<String> = self.note_of_neglected().into_iter().collect();
-        let idle: Vec<String> = self.idle.iter().map(|i| format!("`{}`", i.case)).collect();
-        if !idle.is_empty() {
-            let of = if idle.len() == 1 { "load case" } else { "load cases" };
-            out.push(format!("nothing acts in the {of} {}", idle.join(", ")));
-        }
+    pub fn notes(&self) -> Vec<Text> {
+        let mut out: Vec<Text> = self.note_of_neglected().into_iter().collect();
+        let idle: Vec<Text> = self.idle.iter().map(|i| say!("`{}`", &i.case)).collect();
+        out.extend(match &idle[..] {
+            [] => None,
+            [one] => Some(say!("nothing acts in the load case {}", one)),
+            all => {
+                let cases = Text::joined(", ", all.to_vec());
+                Some(say!("nothing acts in the load cases {}", cases))
+            }
+        });
         out
     }
 
     /// The neglected actions in one sentence, each action with its largest share.
-    fn note_of_neglected(&self) -> Option<String> {
+    fn note_of_neglected(&self) -> Option<Text> {
         let of = |action: &Action| {
             let all = || self.neglected.iter().filter(|n| n.action == action.word());
             let most = all().reduce(|a, b| if b.share > a.share { b } else { a })?;
@@ -216,20 +222,21 @@ impl SmallActions {
             cases.dedup();
             let (unit, scale) = if action.direction().1 { ("kN m", 1e-6) } else { ("kN", 1e-3) };
             let cases = match cases.len() {
-                1 => most.case.clone(),
-                count => format!("{count} load cases"),
+                1 => Text::given(&most.case),
+                count => say!("{} load cases", count),
             };
             let value = format!("{:.2e} {unit}", most.value * scale);
-            Some(format!("{} = {value} ({cases}, {:.1e})", action.word(), most.share))
+            let share = format!("{:.1e}", most.share);
+            Some(say!("{} = {} ({}, {})", action.word().to_owned(), value, cases, share))
         };
-        let each: Vec<String> = ACTIONS.iter().flatten().filter_map(of).collect();
+        let each: Vec<Text> = ACTIONS.iter().flatten().filter_map(of).collect();
         (!each.is_empty()).then(|| {
-            format!(
+            say!(
                 "actions that are neglected, because they are small beside the member's own \
                  resistance (up to 1 % for T, Mz, Vy; up to \
                  0.01 % of the largest share for any action), each with its largest value and \
                  share: {}",
-                each.join(", ")
+                Text::joined(", ", each)
             )
         })
     }

@@ -67,7 +67,7 @@ pub(super) fn rest(
 /// Forces beside the joint are used for the column only. On other members they would be ignored, so
 /// they are a fault.
 fn column_forces(spec: &ConnectionSpec, template: &Template, faults: &mut Vec<AssemblyError>) {
-    let column = template.hand_checks.as_ref().and_then(|h| h.column.as_ref());
+    let column = template.column();
     for (role, m) in spec.members.iter().filter(|(role, _)| Some(*role) != column) {
         let given =
             [("N_Ed", m.n_ed.is_some()), ("M_Ed", m.m_ed.is_some()), ("V_Ed", m.v_ed.is_some())];

@@ -75,6 +75,13 @@ pub struct Template {
     pub starter_load: Option<LoadSpec>,
 }
 
+impl Template {
+    /// Role of the column, if the hand checks have one.
+    pub fn column(&self) -> Option<&String> {
+        self.hand_checks.as_ref().and_then(|h| h.column.as_ref())
+    }
+}
+
 /// A member role.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

@@ -4,7 +4,7 @@ use super::assembly::{Action, FaceLoad, OutlineEdge, Part, PartRole, Solid, Surf
 use super::{CodeValues, Joint, build};
 use crate::catalog::Catalog;
 use crate::spec::ConnectionSpec;
-use crate::spec::code::PartialFactors;
+use crate::spec::code::{Edition, PartialFactors};
 use crate::strength::{Nominal, NominalStrength};
 use bracket_base::diag::Diagnostics;
 use bracket_base::yaml;
@@ -22,6 +22,7 @@ pub(super) fn joint(text: &str) -> Result<Joint, Diagnostics> {
 /// A code whose factors are 1. Every beam is an IPE300 of S235: 235 MPa, in shear 135.7 MPa.
 pub(super) fn code() -> CodeValues {
     CodeValues {
+        edition: Edition::Ec2005,
         factors: PartialFactors {
             gamma_m0: 1.0,
             gamma_m1: 1.0,
@@ -273,7 +274,7 @@ loads: [{name: TOP, section: column_top, pressure: 45 N/mm2}]
     let (mut a, b) = (ok(short).assembly, ok(PAPER).assembly);
     a.name = b.name.clone();
     let gauge = |text: &str| {
-        ok(text).resolved.into_iter().find(|r| r.name == "bolts.gauge").map(|r| r.value)
+        ok(text).resolved.into_iter().find(|r| r.name == "bolts.gauge").map(|r| r.value.to_string())
     };
     assert_eq!(gauge(short).as_deref(), Some("100 mm"));
     assert_eq!(a, b);

@@ -230,7 +230,7 @@ fn builtin_provenance(file: &str) -> Provenance {
         .map(|line| line.split('|').map(str::trim).collect::<Vec<_>>())
         .find(|cells| cells.len() == 7 && cells[1] == short)
         .map(|cells| Provenance {
-            standard: Some(cells[3].to_owned()),
+            standard: Some(cells[3].into()),
             read_from: cells[4].to_owned(),
             cross_check: Some(cells[5].to_owned()),
         })

@@ -28,6 +28,7 @@ pub use source::Source;
 pub use steel::{Band, Steel};
 
 use bracket_base::diag::Diagnostic;
+use bracket_base::words::Text;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use table::{Entry, Named};
@@ -37,7 +38,7 @@ use table::{Entry, Named};
 pub struct Provenance {
     /// Standard or edition that the values belong to.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub standard: Option<String>,
+    pub standard: Option<Text>,
     /// Publication or file that the values were read from.
     pub read_from: String,
     /// How the values were checked.

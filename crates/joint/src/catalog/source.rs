@@ -1,5 +1,7 @@
 //! File and line of a table row.
 
+use bracket_base::say;
+use bracket_base::words::Text;
 use serde::Serialize;
 use std::fmt;
 
@@ -13,8 +15,15 @@ pub struct Source {
     pub line: usize,
 }
 
+impl Source {
+    /// File and line in words.
+    pub fn text(&self) -> Text {
+        say!("{} line {}", &self.file, self.line)
+    }
+}
+
 impl fmt::Display for Source {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} line {}", self.file, self.line)
+        self.text().fmt(f)
     }
 }

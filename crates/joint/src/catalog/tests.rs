@@ -230,7 +230,7 @@ fn astm_grades_have_the_metric_values_of_their_standards() {
             catalog
                 .provenance(&s.source.file)
                 .and_then(|p| p.standard.clone())
-                .is_some_and(|s| s.contains("ASTM"))
+                .is_some_and(|s| s.to_string().contains("ASTM"))
         );
     }
     for (name, fyb, fub) in [("A325M", 660.0, 830.0), ("F3125 Grade A490", 940.0, 1040.0)] {

@@ -126,6 +126,9 @@ pub enum Language {
 }
 
 impl Language {
+    /// All languages.
+    pub const ALL: [Self; 2] = [Self::En, Self::De];
+
     /// Its code, as in HTML and in specs.
     pub fn code(self) -> &'static str {
         match self {

@@ -2,6 +2,8 @@
 
 use crate::draw::svg::{Anchor, Drawing, LINE, Pen};
 use crate::figures::{Rounding, significant};
+use bracket_base::say;
+use bracket_base::words::Text;
 
 /// Side of the frame and margin for the numbers to its left \[pixels\].
 const SIDE: f64 = 420.0;
@@ -39,7 +41,8 @@ impl Axes {
 
     /// Draws the frame with its ticks. `names` are the quantities to the right and upwards. Returns
     /// the point where a legend begins.
-    pub fn draw(&self, d: &mut Drawing, names: [&str; 2]) -> [f64; 2] {
+    pub fn draw(&self, d: &mut Drawing, names: [Text; 2]) -> [f64; 2] {
+        let [across, upwards] = names;
         let (low, reach) = (self.low, self.reach);
         let [left, top] = self.at([low[0], reach[1]]);
         let [right, bottom] = self.at([reach[0], low[1]]);
@@ -52,20 +55,21 @@ impl Axes {
             for k in -ends[0]..=ends[1] {
                 let value = f64::from(k) * by;
                 let text = significant(value, 3, Rounding::Nearest).replace('-', "−");
+                let text = Text::given(text);
                 if axis == 0 {
                     let [x, _] = self.at([value, 0.0]);
                     d.line(Pen::Thin, [x, bottom], [x, bottom + 4.0]);
-                    d.text([x, bottom + LINE], Anchor::Middle, &text);
+                    d.text([x, bottom + LINE], Anchor::Middle, text);
                 } else {
                     let [_, y] = self.at([0.0, value]);
                     d.line(Pen::Thin, [left - 4.0, y], [left, y]);
-                    d.text([left - 8.0, y], Anchor::End, &text);
+                    d.text([left - 8.0, y], Anchor::End, text);
                 }
             }
         }
-        d.text([0.5 * (left + right), bottom + 2.0 * LINE + 4.0], Anchor::Middle, names[0]);
+        d.text([0.5 * (left + right), bottom + 2.0 * LINE + 4.0], Anchor::Middle, across);
         let legend = right + 20.0;
-        d.text([legend, top + 8.0], Anchor::Start, &format!("upwards: {}", names[1]));
+        d.text([legend, top + 8.0], Anchor::Start, say!("upwards: {}", upwards));
         [legend, top]
     }
 }

@@ -1,10 +1,12 @@
 //! Contact pressure between two parts: the contact faces on a plane, coloured by the pressure of
 //! the static field.
 
-use crate::draw::svg::{Anchor, Drawing, LINE, Pen};
+use crate::draw::svg::{Anchor, Drawing, LINE, Pen, Svg};
 use crate::figures::{Rounding, significant};
 use crate::result::forces::ContactForce;
 use bracket_base::math::vec3;
+use bracket_base::say;
+use bracket_base::words::Text;
 use bracket_engine::certify::faces::contact_faces;
 use bracket_engine::certify::fields::StressField;
 use bracket_engine::certify::tractions::contact_tractions;
@@ -25,15 +27,15 @@ const BANDS: [&str; 5] = ["#fde0c5", "#f8b58b", "#f2855d", "#e34f38", "#a50f15"]
 /// A face on its plane: corners \[mm\] and mean pressure \[MPa\].
 type Patch = ([[f64; 2]; 3], f64);
 
-/// The map of the contact between two parts as SVG text, completed by reflection in the planes of
-/// symmetry with the normals `mirror`. `None` if there is no pressure, or if the faces do not lie
-/// on one plane normal to an axis.
+/// The map of the contact between two parts, completed by reflection in the planes of symmetry with
+/// the normals `mirror`. `None` if there is no pressure, or if the faces do not lie on one plane
+/// normal to an axis.
 pub fn contact_map(
     model: &AnalysisModel,
     stress: &StressField,
     pair: &ContactForce,
     mirror: &[usize],
-) -> Option<String> {
+) -> Option<Svg> {
     let body = |tet: u32| model.mesh.bodies.get(model.mesh.tet_body[tet as usize] as usize);
     let mut plane: Option<(usize, f64)> = None;
     let mut patches: Vec<Patch> = Vec::new();
@@ -100,7 +102,7 @@ fn colour(pressure: f64, peak: f64) -> &'static str {
     BANDS[((part * BANDS.len() as f64) as usize).min(BANDS.len() - 1)]
 }
 
-fn draw(patches: &[Patch], peak: f64, [u, v]: [usize; 2], pair: &ContactForce) -> String {
+fn draw(patches: &[Patch], peak: f64, [u, v]: [usize; 2], pair: &ContactForce) -> Svg {
     let all = || patches.iter().flat_map(|p| p.0);
     let low = all().fold([f64::MAX; 2], |l, c| [l[0].min(c[0]), l[1].min(c[1])]);
     let high = all().fold([f64::MIN; 2], |h, c| [h[0].max(c[0]), h[1].max(c[1])]);
@@ -119,14 +121,14 @@ fn draw(patches: &[Patch], peak: f64, [u, v]: [usize; 2], pair: &ContactForce) -
     d.text(
         [MARGIN + LINE, bottom + LINE],
         Anchor::Start,
-        &format!("{} = {} mm", AXES[u], mm(low[0])),
+        Text::given(format!("{} = {} mm", AXES[u], mm(low[0]))),
     );
-    d.text([right, bottom + LINE], Anchor::End, &format!("{} mm", mm(high[0])));
+    d.text([right, bottom + LINE], Anchor::End, Text::given(format!("{} mm", mm(high[0]))));
     let legend = right + 2.0 * MARGIN;
     d.text(
         [legend, MARGIN + 10.0],
         Anchor::Start,
-        &format!("{} from {} to {} mm", AXES[v], mm(low[1]), mm(high[1])),
+        say!("{} from {} to {} mm", AXES[v].to_owned(), mm(low[1]), mm(high[1])),
     );
     d.text(
         [legend, MARGIN + 10.0 + 2.0 * LINE],
@@ -140,12 +142,13 @@ fn draw(patches: &[Patch], peak: f64, [u, v]: [usize; 2], pair: &ContactForce) -
         d.rectangle(Pen::Thin, fill, [legend, top], [legend + 22.0, top + LINE]);
         let from = if i == 0 { OPEN * peak } else { i as f64 * step };
         let range = format!("{} … {}", show(from), show((i + 1) as f64 * step));
-        d.text([legend + 30.0, top + 12.0], Anchor::Start, &range);
+        d.text([legend + 30.0, top + 12.0], Anchor::Start, Text::given(range));
     }
     let top = MARGIN + 10.0 + (BANDS.len() + 3) as f64 * 1.25 * LINE;
     d.rectangle(Pen::Thin, NOTHING, [legend, top], [legend + 22.0, top + LINE]);
     d.text([legend + 30.0, top + 12.0], Anchor::Start, "open, or next to nothing");
-    d.finish(&format!("Contact pressure, {}", pair.between.join(" on ")))
+    let [a, b] = &pair.between;
+    d.finish(say!("Contact pressure, {} on {}", a, b))
 }
 
 #[cfg(test)]
@@ -166,7 +169,7 @@ mod tests {
             ([[0.0, 0.0], [40.0, 0.0], [0.0, 80.0]], 100.0),
             ([[40.0, 0.0], [40.0, 80.0], [0.0, 80.0]], 0.0),
         ];
-        let svg = draw(&patches, 100.0, page_axes(0), &pair);
+        let svg = draw(&patches, 100.0, page_axes(0), &pair).file;
         for part in
             ["P on C", "80.0 … 100", "2.00 … 20.0", "y = 0 mm", "z from 0 to 80.00 mm", BANDS[4]]
         {

@@ -4,8 +4,10 @@
 //! They show the input of the hand checks (`assembly::EndPlate`), so that the reader sees a wrong
 //! value of a spec, and the bolts and further plates of the geometry (`assembly::Content`).
 
-use crate::draw::svg::{Anchor, Drawing, LINE, Pen};
+use crate::draw::svg::{Anchor, Drawing, LINE, Pen, Svg};
 use crate::draw::weld_symbol::weld_symbol;
+use bracket_base::say;
+use bracket_base::words::Text;
 use bracket_codes::check::{Unit, number as n};
 use bracket_codes::end_plate::{PartItem, PartSize, parts_list};
 use bracket_joint::assembly::content::PieceKind;
@@ -26,12 +28,12 @@ const MOST_VALUES: usize = 6;
 
 /// Side view and front view of a joint with what it is made of. `length` is the nominal length of
 /// the bolts, if a suitable length is stocked.
-pub fn views(e: &EndPlate, joint: &Content, length: Option<f64>) -> String {
+pub fn views(e: &EndPlate, joint: &Content, length: Option<f64>) -> Svg {
     sheet(e, joint, length).finish("Joint, side view and front view of the end plate")
 }
 
 /// Actions at the member ends with their positive senses, and their values.
-pub fn actions(e: &EndPlate) -> String {
+pub fn actions(e: &EndPlate) -> Svg {
     loads(e).finish("Actions at the member ends, positive senses")
 }
 
@@ -76,7 +78,7 @@ fn sheet(e: &EndPlate, joint: &Content, length: Option<f64>) -> Drawing {
     d.text([centre, MARGIN], Anchor::Middle, "end plate, seen from the beam");
     front_view(&mut d, e, joint, &front, [low, high]);
     let below = side.at(0.0, low)[1] + 5.5 * LINE;
-    for (i, text) in legend(e, joint, both, length).iter().enumerate() {
+    for (i, text) in legend(e, joint, both, length).into_iter().enumerate() {
         d.text([MARGIN, below + LINE * i as f64], Anchor::Start, text);
     }
     d
@@ -272,63 +274,68 @@ fn front_view(d: &mut Drawing, e: &EndPlate, joint: &Content, s: &Scale, [low, h
 }
 
 /// Names and sizes of the parts.
-fn legend(e: &EndPlate, joint: &Content, both: bool, length: Option<f64>) -> Vec<String> {
+fn legend(e: &EndPlate, joint: &Content, both: bool, length: Option<f64>) -> Vec<Text> {
     let mut out = Vec::new();
     if let Some(c) = &e.column {
-        out.push(format!("column {} {}", c.section.name, c.steel.grade));
+        out.push(say!("column {} {}", &c.section.name, &c.steel.grade));
     }
-    let beams = if both { "beams" } else { "beam" };
-    out.push(format!("{beams} {} {}", e.beam.name, e.beam_steel.grade));
-    let plates = if both { "2 end plates" } else { "end plate" };
-    let size = format!("{} × {} × {}", n(e.thickness), n(e.width), n(e.top - e.bottom));
-    out.push(format!("{plates} {size} {}", e.plate_steel.grade));
+    let (beam, steel) = (&e.beam.name, &e.beam_steel.grade);
+    let size = [e.thickness, e.width, e.top - e.bottom].map(n).join(" × ");
+    let plate = &e.plate_steel.grade;
+    out.extend(match both {
+        true => [say!("beams {} {}", beam, steel), say!("2 end plates {} {}", size, plate)],
+        false => [say!("beam {} {}", beam, steel), say!("end plate {} {}", size, plate)],
+    });
     let long = length.map_or(String::new(), |l| format!(" × {}", n(l)));
     let count = joint.fasteners.len();
-    out.push(format!(
-        "{count} bolts {}{long} {}, holes of {} mm",
-        e.bolt.size,
-        e.grade.grade,
+    out.push(say!(
+        "{} bolts {} {}, holes of {} mm",
+        count,
+        format!("{}{long}", e.bolt.size),
+        &e.grade.grade,
         n(e.hole)
     ));
     if let Some(c) = &e.column {
         if c.stiffener > 0.0 {
             let clip = c.stiffener_clip;
-            let corners =
-                if clip > 0.0 { format!(", corners cut by {} mm", n(clip)) } else { String::new() };
-            out.push(format!(
-                "stiffeners {} × {} × {}{corners}, on both sides of the column web",
-                n(c.stiffener),
-                n(0.5 * (c.section.b - c.section.tw)),
-                n(c.section.h - 2.0 * c.section.tf)
-            ));
+            let s = &c.section;
+            let size = [c.stiffener, 0.5 * (s.b - s.tw), s.h - 2.0 * s.tf].map(n).join(" × ");
+            out.push(match clip > 0.0 {
+                true => say!(
+                    "stiffeners {}, corners cut by {} mm, on both sides of the column web",
+                    size,
+                    n(clip)
+                ),
+                false => say!("stiffeners {}, on both sides of the column web", size),
+            });
         }
         if c.doubler > 0.0 {
-            out.push(format!("web doubler of {} mm on one side (dashed)", n(c.doubler)));
+            out.push(say!("web doubler of {} mm on one side (dashed)", n(c.doubler)));
         }
     }
     if e.rib > 0.0 {
-        out.push(format!("rib of {} mm on the upper flange (front view)", n(e.rib)));
+        out.push(say!("rib of {} mm on the upper flange (front view)", n(e.rib)));
     }
     out.extend(further_legend(joint));
     let weld =
-        |a: f64| if a > 0.0 { format!("fillet a = {}", n(a)) } else { "full penetration".into() };
-    out.push(format!("welds: flanges {}, web {}", weld(e.flange_throat), weld(e.web_throat)));
+        |a: f64| if a > 0.0 { say!("fillet a = {}", n(a)) } else { "full penetration".into() };
+    out.push(say!("welds: flanges {}, web {}", weld(e.flange_throat), weld(e.web_throat)));
     if let Some(c) = e.column.as_ref().filter(|c| c.stiffener > 0.0) {
-        out.push(format!("welds of the stiffeners: {}", weld(c.stiffener_throat)));
+        out.push(say!("welds of the stiffeners: {}", weld(c.stiffener_throat)));
     }
     out.push("dimensions in mm; z from the beam's axis, up".into());
     out
 }
 
 /// The plates that the hand checks do not know.
-fn further_legend(joint: &Content) -> Vec<String> {
+fn further_legend(joint: &Content) -> Vec<Text> {
     let mut further = joint.clone();
     further.fasteners.clear();
     further.pieces.retain(|p| p.kind == PieceKind::Other);
     let line = |i: PartItem| {
         let PartSize::Plate(sizes) = i.size else { return None };
         let sizes = sizes.map(n).join(" × ");
-        Some(format!("{} × {} {sizes} {} (not in the checks)", i.count, i.part, i.steel))
+        Some(say!("{} × {} {} {} (not in the checks)", i.count, &i.part, sizes, &i.steel))
     };
     parts_list(&further).into_iter().filter_map(line).collect()
 }
@@ -358,7 +365,7 @@ fn loads(e: &EndPlate) -> Drawing {
         let Some((end_name, _)) = ends.iter().find(here) else {
             continue;
         };
-        d.text([x + side * 110.0, y + 38.0], Anchor::Middle, end_name);
+        d.text([x + side * 110.0, y + 38.0], Anchor::Middle, Text::given(*end_name));
         d.line(Pen::Hidden, [plane, y - 70.0], [plane, y + 70.0]);
         // tension, lift, and the moment that pulls the top
         d.arrow([end, y], [end + side * 46.0, y]);
@@ -372,22 +379,20 @@ fn loads(e: &EndPlate) -> Drawing {
     let plane =
         if e.column.is_some() { "bolt planes = column faces" } else { "bolt plane (dashed)" };
     d.text([x, y - 112.0], Anchor::Middle, plane);
-    let lines =
-        ["Positive as drawn: N pulls, Vz lifts, My gives tension at the top; y′ = z′ × x′. \
-                  Values at the bolt plane, load factor 1:"
-            .into()];
+    let signs = "Positive as drawn: N pulls, Vz lifts, My gives tension at the top; y′ = z′ × x′. \
+                 Values at the bolt plane, load factor 1:";
     // the table of actions has those of all cases
     let values = e.actions.iter().take(MOST_VALUES).map(value);
     let more = e.actions.len().saturating_sub(MOST_VALUES);
-    let rest = (more > 0).then(|| format!("and {more} more, see the table of actions"));
+    let rest = (more > 0).then(|| say!("and {} more, see the table of actions", more));
     let values = values.chain(rest);
-    for (i, text) in lines.into_iter().chain(values).enumerate() {
-        d.text([MARGIN, y + 140.0 + LINE * i as f64], Anchor::Start, &text);
+    for (i, text) in std::iter::once(signs.into()).chain(values).enumerate() {
+        d.text([MARGIN, y + 140.0 + LINE * i as f64], Anchor::Start, text);
     }
     d
 }
 
-fn value(a: &PlaneActions) -> String {
+fn value(a: &PlaneActions) -> Text {
     let [force, moment] = a.at(1.0);
     let names = ["N", "Vy", "Vz", "T", "My", "Mz"];
     let units = [Unit::Force, Unit::Force, Unit::Force, Unit::Moment, Unit::Moment, Unit::Moment];
@@ -396,9 +401,11 @@ fn value(a: &PlaneActions) -> String {
         .filter(|((name, _), v)| *v != 0.0 || ["N", "Vz", "My"].contains(name))
         .map(|((name, unit), v)| format!("{name} = {}", unit.show(v).replace('-', "−")))
         .collect();
-    let fixed = a.dead.iter().flatten().any(|v| *v != 0.0);
-    let note = if fixed { " (a part of it fixed)" } else { "" };
-    format!("{}, {}: {}{note}", a.case, a.end, values.join(", "))
+    let values = values.join(", ");
+    match a.dead.iter().flatten().any(|v| *v != 0.0) {
+        true => say!("{}, {}: {} (a part of it fixed)", &a.case, &a.end, values),
+        false => Text::given(format!("{}, {}: {values}", a.case, a.end)),
+    }
 }
 
 #[cfg(test)]

@@ -2,6 +2,8 @@
 //! language of the spec, at full size in mm. The origin is the axis of the beam, y upward.
 
 use crate::words::Words;
+use bracket_base::say;
+use bracket_base::words::Text;
 use bracket_codes::check::number;
 use bracket_joint::assembly::EndPlate;
 use std::fmt::Write;
@@ -34,15 +36,10 @@ pub fn end_plate(e: &EndPlate, pieces: usize, words: &Words) -> String {
         }
     }
     let holes = e.rows.len() * e.columns().len();
-    let notes = [
-        format!(
-            "end plate {} x {} x {} {}, {pieces} off",
-            number(e.thickness),
-            number(e.width),
-            number(e.top - e.bottom),
-            e.plate_steel.grade
-        ),
-        format!("{holes} holes {} mm for {} bolts", number(e.hole), e.bolt.size),
+    let size = [e.thickness, e.width, e.top - e.bottom].map(number).join(" x ");
+    let notes: [Text; 3] = [
+        say!("end plate {} {}, {} off", size, &e.plate_steel.grade, pieces),
+        say!("{} holes {} mm for {} bolts", holes, number(e.hole), &e.bolt.size),
         "all dimensions in mm, origin at the axis of the beam".into(),
     ];
     for (i, note) in notes.iter().enumerate() {

@@ -2,8 +2,9 @@
 
 use super::moment_rotation::Frame;
 use super::{drawing, dxf, moment_axial, parts_drawing};
-use crate::markdown::report_data::PictureRef;
+use crate::document::picture::PictureRef;
 use crate::words::Words;
+use bracket_base::say;
 use bracket_codes::check::number;
 use bracket_codes::end_plate::stocked_length;
 use bracket_joint::assembly::{Content, EndPlate, Facts};
@@ -31,43 +32,39 @@ impl JointDrawings {
             },
             None => {
                 let views = parts_drawing::views(content);
-                let pictures = vec![picture("drawing.svg", "Two views of the joint", views)];
+                let pictures = vec![views.picture("drawing.svg", "Two views of the joint")];
                 Self { pictures, workshop: Vec::new(), frame: Frame::default() }
             }
         }
     }
 }
 
-fn picture(file: &str, caption: &str, text: String) -> (PictureRef, String) {
-    (PictureRef { file: file.into(), caption: caption.into() }, text)
-}
-
 fn of_end_plate(e: &EndPlate, content: &Content) -> Vec<(PictureRef, String)> {
     let views = drawing::views(e, content, stocked_length(e));
-    let mut out =
-        vec![picture("drawing.svg", "Side view of the joint, front view of the end plate", views)];
+    let caption = "Side view of the joint, front view of the end plate";
+    let mut out = vec![views.picture("drawing.svg", caption)];
     for (i, diagram) in bracket_codes::end_plate::moment_axial(e).iter().enumerate() {
         let file =
             if i == 0 { "moment_axial.svg".into() } else { format!("moment_axial_{}.svg", i + 1) };
-        let beta = if e.column.is_some() {
-            format!(", β = {}", number(diagram.beta))
+        let caption = if e.column.is_some() {
+            say!(
+                "Moment and axial force that the joint carries by the component method, β = {}",
+                number(diagram.beta)
+            )
         } else {
-            String::new()
+            "Moment and axial force that the joint carries by the component method".into()
         };
-        let caption =
-            format!("Moment and axial force that the joint carries by the component method{beta}");
-        out.push(picture(&file, &caption, moment_axial::drawing(diagram)));
+        out.push(moment_axial::drawing(diagram).picture(file, caption));
     }
     if !e.actions.is_empty() {
         let caption =
             "Actions at the member ends with their positive senses, values at the bolt plane";
-        out.push(picture("actions.svg", caption, drawing::actions(e)));
+        out.push(drawing::actions(e).picture("actions.svg", caption));
     }
     out
 }
 
 /// The end plate for the workshop. The names of steel and bolt stay as the catalogue has them.
 fn plate(e: &EndPlate, content: &Content, language: Language) -> String {
-    let names = [e.plate_steel.grade.clone(), e.bolt.size.clone()];
-    dxf::end_plate(e, content.end_plates(), &Words::new(language, names))
+    dxf::end_plate(e, content.end_plates(), &Words::new(language))
 }

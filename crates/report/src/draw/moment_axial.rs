@@ -2,12 +2,13 @@
 //! the load cases.
 
 use crate::draw::axes::Axes;
-use crate::draw::svg::{Anchor, Drawing, LINE, Pen};
+use crate::draw::svg::{Anchor, Drawing, LINE, Pen, Svg};
+use bracket_base::words::Text;
 use bracket_codes::MomentAxial;
 
-/// The diagram as SVG text. The axial force points to the right (tension positive), the moment
+/// The diagram. The axial force points to the right (tension positive), the moment
 /// upwards (tension at the top positive).
-pub fn drawing(diagram: &MomentAxial) -> String {
+pub fn drawing(diagram: &MomentAxial) -> Svg {
     let show = |p: [f64; 2]| [1e-3 * p[0], 1e-6 * p[1]];
     let border: Vec<[f64; 2]> = diagram.border.iter().copied().map(show).collect();
     let demands: Vec<(&str, [f64; 2])> =
@@ -28,7 +29,7 @@ pub fn drawing(diagram: &MomentAxial) -> String {
     for y in [top_sense, -bottom_sense] {
         d.line(Pen::Hidden, axes.at([-axes.reach()[0], y]), axes.at([axes.reach()[0], y]));
     }
-    let [legend, top] = axes.draw(&mut d, ["N [kN]", "M_j [kN m]"]);
+    let [legend, top] = axes.draw(&mut d, ["N [kN]", "M_j [kN m]"].map(Text::given));
     for (name, point) in &demands {
         d.name(axes.at(*point), name);
     }
@@ -68,7 +69,7 @@ mod tests {
             small: 6e4,
             demands: vec![("ULS1".into(), [1e5, 5e7]), ("ULS2".into(), [-2e5, 1e7])],
         };
-        let svg = drawing(&diagram);
+        let svg = drawing(&diagram).file;
         assert_eq!((svg.matches("<polygon").count(), svg.matches("<circle").count()), (1, 2));
         for part in ["ULS1", "ULS2", "N [kN]", "M_j [kN m]", "5 %", ">−400<"] {
             assert!(svg.contains(part), "{part}: {svg}");

@@ -1,12 +1,14 @@
 //! Moment against rotation: the curve of the component method with the largest demand, the limits
 //! of the classes, the bracket of the initial stiffness and the bracket of the resistance.
 
+use crate::document::picture::PictureRef;
 use crate::draw::axes::Axes;
 use crate::draw::svg::{Anchor, Drawing, LINE, Pen};
-use crate::markdown::report_data::PictureRef;
 use crate::result::case_result::CaseResult;
 use crate::result::quantity::{Quantity, Upper};
 use crate::result::result_file::ResultFile;
+use bracket_base::say;
+use bracket_base::words::Text;
 use bracket_codes::check::number;
 use bracket_codes::end_plate::stiffness_class_limits;
 use bracket_codes::subject::Sense;
@@ -131,7 +133,8 @@ fn resistance(case: &CaseResult) -> Option<[f64; 2]> {
     (case.is_strict() && moment > 0.0).then_some([low * moment, up * moment])
 }
 
-/// The drawing of a result as SVG text; `None` where the component method gives no curve.
+/// The drawing of a result with the text of its file; `None` where the component method gives no
+/// curve.
 pub fn drawing(result: &ResultFile, frame: &Frame) -> Option<(PictureRef, String)> {
     let curves = curves(&result.checks);
     if curves.is_empty() {
@@ -147,12 +150,12 @@ pub fn drawing(result: &ResultFile, frame: &Frame) -> Option<(PictureRef, String
     largest[1] = moments.fold(largest[1], f64::max);
     let axes = Axes::quadrant(largest);
     let mut d = Drawing::default();
-    let mut legend: Vec<(String, Key)> = Vec::new();
+    let mut legend: Vec<(Text, Key)> = Vec::new();
     if let Some((case, [low, up])) = bracket {
         let [a, b] = [[0.0, low], [axes.reach()[0], up]].map(|p| axes.at(p));
         d.rectangle(Pen::None, RESISTANCE, a, b);
         legend.push((
-            format!("{}: bracket of the resistance, times M_j,Ed", case.name),
+            say!("{}: bracket of the resistance, times M_j,Ed", &case.name),
             Key::Area(RESISTANCE),
         ));
     }
@@ -162,17 +165,15 @@ pub fn drawing(result: &ResultFile, frame: &Frame) -> Option<(PictureRef, String
         let at = |s: f64| axes.at([(top / (1e-9 * s)).min(axes.reach()[0]), top]);
         let stiff = s.upper.map_or(axes.at([0.0, top]), at);
         d.polygon(Pen::None, STIFFNESS, &[axes.at([0.0; 2]), stiff, at(s.lower)]);
-        legend.push((
-            format!("{}: bracket of the initial stiffness", case.name),
-            Key::Area(STIFFNESS),
-        ));
+        legend
+            .push((say!("{}: bracket of the initial stiffness", &case.name), Key::Area(STIFFNESS)));
     }
     let pens = [Pen::Edge, Pen::Hidden];
     for (curve, pen) in curves.iter().zip(pens) {
         let mut points: Vec<[f64; 2]> = curve.points().into_iter().map(|p| axes.at(p)).collect();
         points.push(axes.at([axes.reach()[0], curve.resistance]));
         points.windows(2).for_each(|w| d.line(pen, w[0], w[1]));
-        legend.push((format!("component method, {}", curve.words()), Key::Line(pen)));
+        legend.push((say!("component method, {}", curve.words()), Key::Line(pen)));
         let [x, y] = axes.at([curve.rotation(curve.resistance), curve.resistance]);
         d.circle(Pen::Edge, METHOD, [x, y], 3.0);
     }
@@ -184,7 +185,7 @@ pub fn drawing(result: &ResultFile, frame: &Frame) -> Option<(PictureRef, String
         if let Some(rotation) = rotation {
             d.line(Pen::Action, end, axes.at([rotation, 0.0]));
         }
-        let text = format!("M_j,Ed of {name}: {} kN m", number(moment));
+        let text = say!("M_j,Ed of {}: {} kN m", name.to_owned(), number(moment));
         legend.push((text, Key::Line(Pen::Action)));
     }
     for (factor, slope) in &frame.limits {
@@ -198,17 +199,16 @@ pub fn drawing(result: &ResultFile, frame: &Frame) -> Option<(PictureRef, String
             true => ([x + 4.0, y + 10.0], Anchor::Start),
             false => ([x - 4.0, y - 8.0], Anchor::End),
         };
-        d.text(place, anchor, &number(*factor));
+        d.text(place, anchor, Text::given(number(*factor)));
     }
     if !frame.limits.is_empty() {
-        let text = "limits of the classes, times E I_b/L_b".to_owned();
-        legend.push((text, Key::Line(Pen::Thin)));
+        legend.push(("limits of the classes, times E I_b/L_b".into(), Key::Line(Pen::Thin)));
     }
-    let [left, top] = axes.draw(&mut d, ["rotation φ [mrad]", "M_j [kN m]"]);
-    for (i, (text, key)) in legend.iter().enumerate() {
+    let [left, top] = axes.draw(&mut d, ["rotation φ [mrad]".into(), Text::given("M_j [kN m]")]);
+    for (i, (text, key)) in legend.into_iter().enumerate() {
         let y = top + (2.0 + 1.5 * i as f64) * LINE;
         match key {
-            Key::Line(pen) => d.line(*pen, [left, y + 6.0], [left + 22.0, y + 6.0]),
+            Key::Line(pen) => d.line(pen, [left, y + 6.0], [left + 22.0, y + 6.0]),
             Key::Area(colour) => {
                 d.rectangle(Pen::Edge, colour, [left, y], [left + 22.0, y + 12.0]);
             }
@@ -217,8 +217,7 @@ pub fn drawing(result: &ResultFile, frame: &Frame) -> Option<(PictureRef, String
     }
     let caption = "Moment and rotation of the joint (EN 1993-1-8 6.3.1); the circle is M_j,Rd, the \
                    rotation beyond it is limited by the rotation capacity";
-    let picture = PictureRef { file: "moment_rotation.svg".into(), caption: caption.into() };
-    Some((picture, d.finish("Moment and rotation of the joint")))
+    Some(d.finish("Moment and rotation of the joint").picture("moment_rotation.svg", caption))
 }
 
 #[cfg(test)]

@@ -1,7 +1,9 @@
 //! Drawing of a joint of any template: two views of its members, plates and bolts with the main
 //! dimensions. It shows the geometry alone.
 
-use crate::draw::svg::{Anchor, Drawing, LINE, Pen};
+use crate::draw::svg::{Anchor, Drawing, LINE, Pen, Svg};
+use bracket_base::say;
+use bracket_base::words::Text;
 use bracket_codes::check::number as n;
 use bracket_codes::end_plate::{PartSize, parts_list};
 use bracket_joint::assembly::Content;
@@ -15,8 +17,8 @@ const PLATE: &str = "#dfe5ea";
 const BOLT: &str = "#c9d3dc";
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// The views as an SVG file.
-pub fn views(joint: &Content) -> String {
+/// The views.
+pub fn views(joint: &Content) -> Svg {
     sheet(joint).finish("Joint, two views")
 }
 
@@ -29,13 +31,13 @@ fn sheet(joint: &Content) -> Drawing {
     // seen along y, then along x; z is up in both
     for (across, sight) in [(0, 1), (1, 0)] {
         let view = View::new(&window, across, sight, [left, top]);
-        let title = format!("seen along {}", AXES[sight]);
-        d.text([0.5 * (view.at(0)[0] + view.at(0)[1]), MARGIN], Anchor::Middle, &title);
+        let title = say!("seen along {}", AXES[sight].to_owned());
+        d.text([0.5 * (view.at(0)[0] + view.at(0)[1]), MARGIN], Anchor::Middle, title);
         view.solids(&mut d, joint, &window);
         low = low.max(view.dimensions(&mut d, joint));
         left = view.at(0)[1] + 130.0;
     }
-    for (i, text) in legend(joint).iter().enumerate() {
+    for (i, text) in legend(joint).into_iter().enumerate() {
         d.text([MARGIN, low + LINE * (i as f64 + 1.0)], Anchor::Start, text);
     }
     d
@@ -174,23 +176,23 @@ impl View {
 }
 
 /// Members, plates and bolts in words.
-fn legend(joint: &Content) -> Vec<String> {
-    let mut out: Vec<String> = Vec::new();
+fn legend(joint: &Content) -> Vec<Text> {
+    let mut out: Vec<Text> = Vec::new();
     for m in &joint.members {
-        let line = format!("{}: {} {}", m.label, m.profile, m.steel);
+        let line = say!("{}: {} {}", &m.label, &m.profile, &m.steel);
         if !out.contains(&line) {
             out.push(line);
         }
     }
     for i in parts_list(joint) {
         let size = match &i.size {
-            PartSize::Plate(sizes) => sizes.map(n).join(" × "),
+            PartSize::Plate(sizes) => Text::given(sizes.map(n).join(" × ")),
             PartSize::Bolt { size, length, grip } => {
                 let long = length.map_or_else(String::new, |l| format!(" × {}", n(l)));
-                format!("{size}{long}, grip {}", n(*grip))
+                say!("{}, grip {}", format!("{size}{long}"), n(*grip))
             }
         };
-        out.push(format!("{} × {} {size} {}", i.count, i.part, i.steel));
+        out.push(say!("{} × {} {} {}", i.count, &i.part, size, &i.steel));
     }
     out.push("dimensions in mm".into());
     out
@@ -224,7 +226,7 @@ mod tests {
     fn a_t_stub_has_two_views_with_its_dimensions() {
         let drawing = sheet(&stubs(""));
         assert_eq!(overlaps(&drawing.labels), 0, "{:?}", drawing.labels);
-        let text = drawing.finish("t");
+        let text = drawing.finish("t").file;
         for wanted in
             [">90<", ">100<", ">150<", ">200<", ">600<", "4 × bolt M16 × 45, grip 21.4 8.8"]
         {
@@ -237,7 +239,7 @@ mod tests {
     #[test]
     fn welded_stubs_are_plates_in_the_drawing_and_in_the_legend() {
         let joint = stubs("welded: true, flange_thickness: 15, web_thickness: 8, web_height: 60");
-        let text = sheet(&joint).finish("t");
+        let text = sheet(&joint).finish("t").file;
         for wanted in ["15 × 150 × 200 S235", "8 × 60 × 200 S235", "grip 30"] {
             assert!(text.contains(wanted), "{wanted}: {text}");
         }

@@ -3,7 +3,10 @@
 
 use crate::draw::canvas::{Canvas, Picture, Rgb};
 use crate::draw::lettering::text_width;
+use crate::draw::svg::Svg;
 use crate::escaped::escaped;
+use crate::words::Words;
+use bracket_base::words::Text;
 use std::fmt::Write;
 
 /// Size \[pixels\].
@@ -31,7 +34,7 @@ const COLOURS: [Rgb; 6] = [
 #[derive(Clone, Debug, PartialEq)]
 pub struct Series {
     /// Its name in the legend.
-    pub name: String,
+    pub name: Text,
     /// Abscissa and ordinate, both positive; other points are left out.
     pub points: Vec<[f64; 2]>,
 }
@@ -40,15 +43,15 @@ pub struct Series {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plot {
     /// Title.
-    pub title: String,
+    pub title: Text,
     /// Quantity on the abscissa, with its unit.
-    pub x: String,
+    pub x: Text,
     /// Quantity on the ordinate, with its unit; written above the axis.
-    pub y: String,
+    pub y: Text,
     /// The series.
     pub series: Vec<Series>,
     /// A level of the ordinate to mark, and its name.
-    pub level: Option<(f64, String)>,
+    pub level: Option<(f64, Text)>,
 }
 
 /// A stroke or a text of the drawing.
@@ -121,7 +124,14 @@ fn short(v: f64) -> String {
 }
 
 impl Plot {
-    fn marks(&self) -> Vec<Mark> {
+    /// The texts of the plot.
+    fn texts(&self) -> Vec<Text> {
+        let level = self.level.iter().map(|(_, name)| name);
+        let series = self.series.iter().map(|s| &s.name);
+        [&self.title, &self.x, &self.y].into_iter().chain(series).chain(level).cloned().collect()
+    }
+
+    fn marks(&self, words: &Words) -> Vec<Mark> {
         let good = |p: &&[f64; 2]| p.iter().all(|v| *v > 0.0 && v.is_finite());
         let points = || self.series.iter().flat_map(|s| s.points.iter().filter(good));
         let level = self.level.iter().map(|(v, _)| *v);
@@ -162,7 +172,7 @@ impl Plot {
                 let x = left + 12.0 * i as f64;
                 marks.push(line([x, y], [x + 6.0, y], 0.6, INK));
             }
-            marks.push(text([left + 6.0, y - 5.0], name, INK));
+            marks.push(text([left + 6.0, y - 5.0], &words.say(name), INK));
         }
         for (i, s) in self.series.iter().enumerate() {
             let colour = COLOURS[i % COLOURS.len()];
@@ -170,7 +180,8 @@ impl Plot {
             marks.extend(places.windows(2).map(|p| line(p[0], p[1], 0.9, colour)));
             marks.extend(places.iter().map(|p| Mark::Dot { at: *p, colour }));
             // curves that fall from left to right leave the top right corner free
-            let at = [right - 14.0 - text_width(&s.name, LETTERS), top + 20.0 + 18.0 * i as f64];
+            let name = words.say(&s.name);
+            let at = [right - 14.0 - text_width(&name, LETTERS), top + 20.0 + 18.0 * i as f64];
             marks.push(line(
                 [at[0] - 30.0, at[1] - 0.5 * LETTERS],
                 [at[0] - 10.0, at[1] - 0.5 * LETTERS],
@@ -178,19 +189,20 @@ impl Plot {
                 colour,
             ));
             marks.push(Mark::Dot { at: [at[0] - 20.0, at[1] - 0.5 * LETTERS], colour });
-            marks.push(text(at, &s.name, INK));
+            marks.push(text(at, &name, INK));
         }
-        marks.push(text([left, 22.0], &self.title, INK));
-        marks.push(text([10.0, top - 8.0], &self.y, INK));
-        let middle = 0.5 * (left + right - text_width(&self.x, LETTERS));
-        marks.push(text([middle, HEIGHT - 14.0], &self.x, INK));
+        marks.push(text([left, 22.0], &words.say(&self.title), INK));
+        marks.push(text([10.0, top - 8.0], &words.say(&self.y), INK));
+        let x = words.say(&self.x);
+        let middle = 0.5 * (left + right - text_width(&x, LETTERS));
+        marks.push(text([middle, HEIGHT - 14.0], &x, INK));
         marks
     }
 
-    /// As a picture.
-    pub fn picture(&self) -> Picture {
+    /// As a picture with its texts in `words`.
+    pub fn picture(&self, words: &Words) -> Picture {
         let mut canvas = Canvas::new(WIDTH as usize, HEIGHT as usize, PAPER);
-        for mark in self.marks() {
+        for mark in self.marks(words) {
             match mark {
                 Mark::Line { from, to, half, colour } => canvas.line(from, to, half, colour),
                 Mark::Dot { at, colour } => canvas.line(at, at, 3.2, colour),
@@ -202,15 +214,15 @@ impl Plot {
         canvas.finish()
     }
 
-    /// As the text of an `.svg` file.
-    pub fn svg(&self) -> String {
+    /// As a drawing.
+    pub fn svg(&self) -> Svg {
         let hex = |c: Rgb| format!("#{:02x}{:02x}{:02x}", c[0] as u8, c[1] as u8, c[2] as u8);
         let mut out = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{WIDTH}\" height=\"{HEIGHT}\" \
              viewBox=\"0 0 {WIDTH} {HEIGHT}\" font-family=\"sans-serif\" font-size=\"13\">\n<rect \
              width=\"{WIDTH}\" height=\"{HEIGHT}\" fill=\"#ffffff\"/>\n"
         );
-        for mark in self.marks() {
+        for mark in self.marks(&Words::default()) {
             // writing to a String cannot fail
             let _ = match mark {
                 Mark::Line { from: [x1, y1], to: [x2, y2], half, colour } => writeln!(
@@ -238,7 +250,7 @@ impl Plot {
             };
         }
         out.push_str("</svg>\n");
-        out
+        Svg { file: out, texts: self.texts() }
     }
 }
 
@@ -257,7 +269,7 @@ mod tests {
                     points: vec![[1e3, 4.0], [8e3, 2.0], [64e3, 1.0]],
                 },
                 Series {
-                    name: "a<b".into(),
+                    name: Text::given("a<b"),
                     points: vec![[1e3, 4.0], [8e3, 0.5], [0.0, 1.0], [f64::NAN, 1.0]],
                 },
             ],
@@ -283,15 +295,15 @@ mod tests {
     /// break the text. Points without a logarithm are left out.
     #[test]
     fn every_good_point_is_drawn() {
-        let svg = plot().svg();
+        let svg = plot().svg().file;
         assert_eq!(svg.matches("<circle").count(), 5 + 2);
         assert!(svg.contains("a&lt;b") && !svg.contains("NaN") && !svg.contains("inf"));
-        let picture = plot().picture();
+        let picture = plot().picture(&Words::default());
         let blue = COLOURS[0].map(|c| c as u8);
         let count = (0..picture.width * picture.height)
             .filter(|i| picture.pixel(i % picture.width, i / picture.width) == blue)
             .count();
         assert!(count > 4 * 20, "{count}");
-        assert_eq!(plot().picture(), plot().picture());
+        assert_eq!(plot().picture(&Words::default()), picture);
     }
 }

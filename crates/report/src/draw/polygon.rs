@@ -1,12 +1,14 @@
 //! The plot of a capacity polygon.
 
 use crate::draw::axes::Axes;
-use crate::draw::svg::{Anchor, Drawing, LINE, Pen};
-use crate::result::polygon::{CapacityPolygon, Point, rectangle};
+use crate::draw::svg::{Anchor, Drawing, LINE, Pen, Svg};
+use crate::result::polygon::{Axis, CapacityPolygon, Point, rectangle};
 use bracket_base::math::convex::{HalfPlane, clip};
+use bracket_base::say;
+use bracket_base::words::Text;
 
-/// The plot as SVG text.
-pub fn drawing(polygon: &CapacityPolygon) -> String {
+/// The plot.
+pub fn drawing(polygon: &CapacityPolygon) -> Svg {
     let scales = polygon.axes.each_ref().map(|a| a.unit.shown().0 / a.unit.value());
     let show = |c: &[f64; 2]| [c[0] * scales[0], c[1] * scales[1]];
     let units = polygon.axes.each_ref().map(|a| a.unit.shown().0);
@@ -34,34 +36,35 @@ pub fn drawing(polygon: &CapacityPolygon) -> String {
             .collect();
     d.polygon(Pen::Edge, "#fde0c5", &outer);
     d.polygon(Pen::Edge, "#bfe3c0", &inner.iter().map(|c| at(*c)).collect::<Vec<_>>());
-    let names = polygon.axes.each_ref().map(|a| format!("{} [{}]", a.action, a.unit.shown().1));
-    let [legend, top] = axes.draw(&mut d, names.each_ref().map(String::as_str));
+    let name = |a: &Axis| Text::given(format!("{} [{}]", a.action, a.unit.shown().1));
+    let [legend, top] = axes.draw(&mut d, polygon.axes.each_ref().map(name));
     for c in &lower {
         d.circle(Pen::Edge, "#2e7d32", at(*c), 3.0);
     }
     for c in &upper {
         d.circle(Pen::Edge, "#ffffff", at(*c), 3.0);
     }
-    let open = if polygon.outer_bounded { "" } else { ", open" };
-    let lines = [
-        ("#bfe3c0", "carried (hull of lower bounds)".to_string()),
-        ("#fde0c5", format!("undecided, within the outer hull{open}")),
-    ];
-    for (i, (fill, text)) in lines.iter().enumerate() {
+    let outer = match polygon.outer_bounded {
+        true => "undecided, within the outer hull",
+        false => "undecided, within the outer hull, open",
+    };
+    let lines = [("#bfe3c0", "carried (hull of lower bounds)"), ("#fde0c5", outer)];
+    for (i, (fill, text)) in lines.into_iter().enumerate() {
         let y = top + (2.0 + 1.5 * i as f64) * LINE;
         d.rectangle(Pen::Edge, fill, [legend, y], [legend + 22.0, y + 12.0]);
         d.text([legend + 30.0, y + 6.0], Anchor::Start, text);
     }
     for (i, (fill, text)) in
         [("#2e7d32", "lower bound of a direction"), ("#ffffff", "upper bound of a direction")]
-            .iter()
+            .into_iter()
             .enumerate()
     {
         let y = top + (5.5 + 1.5 * i as f64) * LINE;
         d.circle(Pen::Edge, fill, [legend + 11.0, y], 3.0);
         d.text([legend + 30.0, y], Anchor::Start, text);
     }
-    d.finish(&format!("Capacity in {} and {}", polygon.axes[0].action, polygon.axes[1].action))
+    let [a, b] = &polygon.axes;
+    d.finish(say!("Capacity in {} and {}", &a.action, &b.action))
 }
 
 #[cfg(test)]
@@ -72,13 +75,13 @@ mod tests {
     #[test]
     fn an_open_side_is_named() {
         let polygon = square(false);
-        assert!(drawing(&polygon).contains("open"));
+        assert!(drawing(&polygon).file.contains("open"));
     }
 
     #[test]
     fn the_plot_has_both_hulls_all_points_and_its_scales() {
         for polygon in [square(true), square(false)] {
-            let svg = drawing(&polygon);
+            let svg = drawing(&polygon).file;
             assert_eq!(svg.matches("<polygon").count(), 2);
             assert_eq!(svg.matches("<circle").count(), 8 + 2);
             for part in ["My [kN m]", "N [kN]", ">100<", ">−200<"] {

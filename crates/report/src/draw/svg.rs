@@ -1,7 +1,9 @@
 //! Line drawings as SVG text: strokes, arrows, texts that do not overlap, chains of dimensions.
 
+use crate::document::picture::PictureRef;
 use crate::escaped::escaped;
 use crate::lettering::{LETTERS, width};
+use bracket_base::words::{Gap, Text};
 use std::fmt::Write;
 
 /// Least distance of two lines of text \[pixels\].
@@ -46,10 +48,33 @@ pub(crate) enum Anchor {
     End,
 }
 
+/// A finished drawing.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Svg {
+    /// The text of the file, in English.
+    pub file: String,
+    /// The texts in it, so that their data are kept beside the file.
+    pub texts: Vec<Text>,
+}
+
+impl Svg {
+    /// The drawing as a picture of a report, with the text of its file.
+    pub fn picture(
+        self,
+        file: impl Into<String>,
+        caption: impl Into<Text>,
+    ) -> (PictureRef, String) {
+        let (file, caption) = (file.into(), caption.into());
+        (PictureRef { file, caption, texts: self.texts }, self.file)
+    }
+}
+
 /// A drawing in progress; y points down, as in SVG \[pixels\].
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Drawing {
     body: String,
+    /// The texts that are no plain messages.
+    texts: Vec<Text>,
     /// Boxes of the texts: left, top, right, bottom.
     pub labels: Vec<[f64; 4]>,
     size: [f64; 2],
@@ -154,8 +179,10 @@ impl Drawing {
     }
 
     /// A text, vertically centred on the point.
-    pub fn text(&mut self, [x, y]: [f64; 2], anchor: Anchor, text: &str) {
-        let width = width(text);
+    pub fn text(&mut self, [x, y]: [f64; 2], anchor: Anchor, text: impl Into<Text>) {
+        let text = text.into();
+        let english = text.to_string();
+        let width = width(&english);
         let (name, left) = match anchor {
             Anchor::Start => ("start", x),
             Anchor::Middle => ("middle", x - 0.5 * width),
@@ -163,18 +190,29 @@ impl Drawing {
         };
         self.labels.push([left, y - 0.5 * LETTERS, left + width, y + 0.5 * LETTERS]);
         self.reach(left + width, y + LETTERS);
-        let text = escaped(text);
+        let english = escaped(&english);
         let base = y + 0.36 * LETTERS;
         let _ = writeln!(
             self.body,
-            "<text x=\"{x:.1}\" y=\"{base:.1}\" text-anchor=\"{name}\">{text}</text>"
+            "<text x=\"{x:.1}\" y=\"{base:.1}\" text-anchor=\"{name}\">{english}</text>"
         );
+        self.keep(text);
     }
 
-    /// A name beside a point, on white, where it covers no other text. Without such a place the
-    /// point stays without its name.
-    pub fn name(&mut self, [x, y]: [f64; 2], text: &str) {
-        let (wide, half) = (width(text), 0.5 * LETTERS);
+    /// Keeps a text whose data its English sentence does not give. A number is no message.
+    fn keep(&mut self, text: Text) {
+        let number = |g: &Gap| matches!(g, Gap::Given(t) if !t.contains(char::is_alphabetic));
+        let plain = text.gaps.is_empty() || text.id == "{}" && text.gaps.iter().all(number);
+        let same = |t: &Text| t.id == text.id && t.gaps == text.gaps;
+        if !plain && !self.texts.iter().any(same) {
+            self.texts.push(text);
+        }
+    }
+
+    /// A name of the user beside a point, on white, where it covers no other text. Without such a
+    /// place the point stays without its name.
+    pub fn name(&mut self, [x, y]: [f64; 2], name: &str) {
+        let (wide, half) = (width(name), 0.5 * LETTERS);
         let beside = [x + 7.0, x - 7.0 - wide];
         let levels =
             [-7.0, 7.0]
@@ -194,7 +232,7 @@ impl Drawing {
         // lines pass behind the name
         let right = left + wide + 1.0;
         self.rectangle(Pen::None, "#ffffff", [left - 1.0, y - half], [right, y + half]);
-        self.text([left, y], Anchor::Start, text);
+        self.text([left, y], Anchor::Start, Text::given(name));
     }
 
     /// A vertical chain of dimensions at `x`. `ys` are the y of the points from the bottom, `from`
@@ -212,7 +250,7 @@ impl Drawing {
         let wanted: Vec<f64> = ys.windows(2).map(|w| 0.5 * (w[0] + w[1])).collect();
         let anchor = if right { Anchor::Start } else { Anchor::End };
         for (y, text) in apart(&wanted, LINE).into_iter().zip(show) {
-            self.text([x + side * 8.0, y], anchor, text);
+            self.text([x + side * 8.0, y], anchor, Text::given(text));
         }
     }
 
@@ -235,21 +273,24 @@ impl Drawing {
                 taken.push(0.0);
             }
             taken[line] = middle + half;
-            self.text([middle, y + 12.0 + LINE * line as f64], Anchor::Middle, text);
+            self.text([middle, y + 12.0 + LINE * line as f64], Anchor::Middle, Text::given(text));
         }
     }
 
-    /// The text of the SVG file.
-    pub fn finish(self, title: &str) -> String {
+    /// The finished drawing.
+    pub fn finish(mut self, title: impl Into<Text>) -> Svg {
         let [width, height] = self.size.map(|s| (s + 16.0).ceil());
-        let title = escaped(title);
-        format!(
+        let title = title.into();
+        let english = escaped(&title.to_string());
+        self.keep(title);
+        let file = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
              viewBox=\"0 0 {width} {height}\" font-family=\"sans-serif\" font-size=\"{LETTERS}\" \
-             fill=\"#1e1e1e\">\n<title>{title}</title>\n<rect width=\"{width}\" \
+             fill=\"#1e1e1e\">\n<title>{english}</title>\n<rect width=\"{width}\" \
              height=\"{height}\" fill=\"#ffffff\"/>\n{}</svg>\n",
             self.body
-        )
+        );
+        Svg { file, texts: self.texts }
     }
 }
 
@@ -336,7 +377,7 @@ mod tests {
         d.text([10.0, 10.0], Anchor::Start, "a < b & c");
         d.arrow([0.0, 0.0], [40.0, 0.0]);
         d.turn([60.0, 60.0], 20.0, true);
-        let text = d.finish("t & t");
+        let text = d.finish("t & t").file;
         assert!(
             text.contains("a &lt; b &amp; c") && text.contains("<title>t &amp; t</title>"),
             "{text}"

@@ -1,6 +1,7 @@
 //! Weld symbols of ISO 2553: an arrow to the joint, a reference line, the symbol on it.
 
 use crate::draw::svg::{Anchor, Drawing, Pen};
+use bracket_base::words::Text;
 use bracket_codes::check::number as n;
 
 /// Side of a symbol \[pixels\].
@@ -21,7 +22,8 @@ pub(super) fn weld_symbol(d: &mut Drawing, joint: [f64; 2], elbow: [f64; 2], thr
             let triangle = [[at, y], [at, y + side * SIDE], [at + SIDE, y]];
             d.polygon(Pen::Thin, "none", &triangle);
         }
-        d.text([at - 4.0, y - 8.0], Anchor::End, &format!("a{}", n(throat)));
+        let size = Text::given(format!("a{}", n(throat)));
+        d.text([at - 4.0, y - 8.0], Anchor::End, size);
     } else {
         // a double bevel: an upright stroke and one at 45° on each side
         d.line(Pen::Thin, [at, y - SIDE], [at, y + SIDE]);

@@ -2,28 +2,29 @@
 
 use crate::markdown::report_data::ReportData;
 use crate::result::result_file::FrictionModel;
+use bracket_base::words::Text;
 use bracket_engine::model::AnalysisKind;
 
 /// The assumptions, one sentence each.
-pub(crate) fn assumptions(data: &ReportData) -> Vec<String> {
+pub(crate) fn assumptions(data: &ReportData) -> Vec<Text> {
     let kinds: Vec<AnalysisKind> = data.result.cases.iter().map(|c| c.analysis).collect();
     let limit = kinds.contains(&AnalysisKind::Limit);
     let model = data.model;
-    let mut out = vec![
+    let mut out: Vec<Text> = vec![
         "Small displacements: equilibrium refers to the undeformed shape. Buckling and \
          second-order effects are not covered."
-            .to_string(),
+            .into(),
         "Loads are static. Fatigue, fire, impact and ductility in an earthquake are not checked, \
          nor are the members away from the joint, its erection and its execution (EN 1090-2)."
-            .to_string(),
+            .into(),
     ];
-    let bounds = [
+    let bounds: [Text; 2] = [
         "The bounds hold for the mechanical model: bodies, materials, supports and loads as \
          listed above. They say nothing about how well the model represents the building."
-            .to_string(),
+            .into(),
         "Only the quantity named in the answer is bracketed. Local values (stresses, pressures, \
          displacements of a point) carry no guarantee."
-            .to_string(),
+            .into(),
     ];
     if !kinds.is_empty() {
         out.extend(bounds);

@@ -1,55 +1,40 @@
 //! The section on the certificate: every residual with its tolerance.
 
+use crate::document::Doc;
+use crate::document::table::{Table, cells, dash};
 use crate::figures::residual;
-use crate::markdown::markup::{dash, paragraph, strings, table};
 use crate::markdown::report_data::ReportData;
-use crate::markdown::report_data::Table;
 use crate::result::result_file::RESIDUAL_TOLERANCE;
 
-pub(crate) fn certificates(page: &mut String, data: &ReportData) {
-    paragraph(
-        page,
+pub(crate) fn certificates(doc: &mut Doc, data: &ReportData) {
+    doc.paragraph(
         "Residuals of the two fields, recomputed from the fields themselves by code that shares \
          nothing with the solver; all dimensionless.",
     );
     let mut rows = Vec::new();
     for case in &data.result.cases {
         let Some(certificate) = case.certificate else {
-            rows.push(vec![
-                case.name.clone(),
-                dash(),
-                dash(),
-                dash(),
-                dash(),
-                "no certificate".into(),
-            ]);
+            rows.push(cells![case.name.clone(), dash(), dash(), dash(), dash(), "no certificate",]);
             continue;
         };
         for (name, definition, value) in certificate.residuals() {
             if let Some(value) = value {
                 let pass = if value <= RESIDUAL_TOLERANCE { "pass" } else { "FAIL" };
                 let tolerance = format!("{RESIDUAL_TOLERANCE:.0e}");
-                rows.push(vec![
+                rows.push(cells![
                     case.name.clone(),
-                    name.into(),
-                    definition.into(),
+                    name,
+                    definition,
                     residual(value),
                     tolerance,
-                    pass.into(),
+                    pass,
                 ]);
             }
         }
         let (value, pass) =
             if certificate.strict { ("yes", "bounds") } else { ("no", "estimates only") };
-        rows.push(vec![
-            case.name.clone(),
-            "strict".into(),
-            "all of the above".into(),
-            value.into(),
-            dash(),
-            pass.into(),
-        ]);
+        rows.push(cells![case.name.clone(), "strict", "all of the above", value, dash(), pass,]);
     }
-    let columns = strings(["case", "residual", "definition", "value", "tolerance", ""]);
-    table(page, &Table { columns, rows });
+    let columns = Table::columns(["case", "residual", "definition", "value", "tolerance", ""]);
+    doc.table(&Table { columns, rows });
 }

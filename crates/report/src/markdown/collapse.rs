@@ -1,122 +1,122 @@
 //! The sentences on a load factor in addition to its bracket: the load at collapse, the effect of
 //! friction, the mechanism and the welds.
 
+use crate::document::Doc;
+use crate::document::table::Table;
 use crate::figures::{Rounding, bracket, percent_up, significant};
-use crate::markdown::markup::{inline, paragraph, strings, table};
-use crate::markdown::report_data::Table;
 use crate::result::result_file::CaseResult;
 use crate::result::result_file::FrictionModel;
 use crate::result::result_file::Quantity;
 use crate::result::result_file::Upper;
+use bracket_base::say;
+use bracket_base::words::Text;
 use bracket_engine::analysis::cone_shift::FixedPointRun;
 
 /// The load factor from the fixed point for Coulomb's law.
-pub(crate) fn estimate_words(factor: f64, run: Option<&FixedPointRun>) -> String {
+pub(crate) fn estimate_words(factor: f64, run: Option<&FixedPointRun>) -> Text {
     let value = significant(factor, 4, Rounding::Nearest);
-    let how = run.map_or(String::new(), |run| {
-        let open = run.missing.map_or(String::new(), |m| {
-            format!(
-                ", and the last one misses Coulomb's law by {} of the load factor",
-                percent_up(m)
-            )
-        });
-        format!(
-            " It took {} problems{open}. Where parts wedge, Coulomb's law can have several load \
-             factors; this is one of them.",
-            run.solves
-        )
+    let Some(run) = run else {
+        return say!("Fixed point for Coulomb friction: {} (an estimate, not a bound).", value);
+    };
+    let open = run.missing.map_or_else(Text::default, |m| {
+        say!(", and the last one misses Coulomb's law by {} of the load factor", percent_up(m))
     });
-    format!("Fixed point for Coulomb friction: {value} (an estimate, not a bound).{how}")
+    say!(
+        "Fixed point for Coulomb friction: {} (an estimate, not a bound). It took {} problems{}. \
+         Where parts wedge, Coulomb's law can have several load factors; this is one of them.",
+        value,
+        run.solves,
+        open
+    )
 }
 
 /// The meaning of the load factor to an engineer.
-pub(crate) fn collapse(page: &mut String, case: &CaseResult) {
+pub(crate) fn collapse(doc: &mut Doc, case: &CaseResult) {
+    let strict = case.is_strict();
     if let (Some(load), Some((low, high, unit))) = (case.load, case.collapse_load()) {
-        let word = if case.is_strict() { "lies" } else { "is estimated" };
-        let given = load.words();
-        paragraph(
-            page,
-            &format!(
-                "The given load of the whole structure is {given}; the load at collapse {word} \
-                 between {low} and {high} {unit}."
-            ),
-        );
+        let word = if strict { "lies" } else { "is estimated" };
+        doc.paragraph(say!(
+            "The given load of the whole structure is {}; the load at collapse {} between {} and \
+             {} {}.",
+            load.words(),
+            word,
+            low,
+            high,
+            unit.to_owned()
+        ));
     }
     if let (Some(load), None, Some(Upper::Finite(upper))) = (case.load, case.lower, case.upper)
         && upper > 0.0
     {
         let most = significant((upper * load.value() * load.scale()).next_up(), 4, Rounding::Up);
-        let word = if case.is_strict() { "is" } else { "is estimated as" };
-        let unit = load.unit();
-        paragraph(
-            page,
-            &format!(
-                "The given load of the whole structure is {}; the load at collapse {word} at most \
-                 {most} {unit}; no lower bound is known.",
-                load.words()
-            ),
-        );
+        let word = if strict { "is" } else { "is estimated as" };
+        doc.paragraph(say!(
+            "The given load of the whole structure is {}; the load at collapse {} at most {} {}; \
+             no lower bound is known.",
+            load.words(),
+            word,
+            most,
+            load.unit().to_owned()
+        ));
     }
     if let Some(lower) = case.lower.filter(|l| *l > 0.0) {
         let low = significant(lower, 4, Rounding::Down);
         // the associated model is stronger than the Coulomb structure that it may represent
-        let dilates = if case.problem == FrictionModel::Associated {
-            " with its associated friction"
-        } else {
-            ""
+        let dilates = match case.problem {
+            FrictionModel::Associated => " with its associated friction",
+            _ => "",
         };
-        let safe = if case.is_strict() {
-            format!(
-                "Every load up to {low} times the given one can be carried by the model{dilates}"
-            )
-        } else {
-            format!("About {low} times the given load can be carried by the model (an estimate)")
-        };
-        paragraph(page, &format!("{safe}; instability and limited ductility are not covered."));
+        doc.paragraph(match strict {
+            true => say!(
+                "Every load up to {} times the given one can be carried by the model{}; \
+                 instability and limited ductility are not covered.",
+                low,
+                dilates
+            ),
+            false => say!(
+                "About {} times the given load can be carried by the model (an estimate); \
+                 instability and limited ductility are not covered.",
+                low
+            ),
+        });
     }
     let smooth = case.frictionless.and_then(|f| f.lower);
     match (case.problem, smooth, case.upper) {
-        (FrictionModel::Coulomb, Some(_), Some(_)) => paragraph(
-            page,
+        (FrictionModel::Coulomb, Some(_), Some(_)) => doc.paragraph(
             "Under Coulomb's law the load factor is at least that without friction (the lower \
              value) and at most that with associated friction (the upper value).",
         ),
         (FrictionModel::Associated, Some(low), Some(Upper::Finite(high))) if case.is_strict() => {
             let (low, high) = bracket(low, high, 3);
-            paragraph(
-                page,
-                &format!(
-                    "Without dilation (Coulomb's law with the same coefficient) the load factor \
-                     is at least that without friction and at most that with associated friction: \
-                     between {low} and {high}."
-                ),
-            );
+            doc.paragraph(say!(
+                "Without dilation (Coulomb's law with the same coefficient) the load factor is at \
+                 least that without friction and at most that with associated friction: between \
+                 {} and {}.",
+                low,
+                high
+            ));
         }
         _ => {}
     }
 }
 
 /// Where the mechanism dissipates and which part limits the lower bound.
-pub(crate) fn mechanism(page: &mut String, case: &CaseResult) {
+pub(crate) fn mechanism(doc: &mut Doc, case: &CaseResult) {
     if case.quantity != Quantity::LoadFactor {
-        return welds(page, case);
+        return welds(doc, case);
     }
     if case.dissipation.is_empty() && case.limiting_part.is_none() && case.welds.is_empty() {
         return;
     }
-    page.push_str(&format!("## Collapse of {}\n\n", inline(&case.name)));
+    doc.heading(say!("Collapse of {}", &case.name));
     if let Some(part) = &case.limiting_part {
-        let part = inline(part);
-        paragraph(
-            page,
-            &format!(
-                "The stress of the lower bound is nearest to the yield surface in body **{part}**."
-            ),
-        );
+        doc.paragraph(say!(
+            "The stress of the lower bound is nearest to the yield surface in body **{}**.",
+            part
+        ));
     }
     if !case.dissipation.is_empty() {
-        paragraph(
-            page,
+        doc.paragraph(
             "The picture of the mechanism shows the structure as it collapses. What is grey yields \
              little or not at all, what is red yields most. Gaps between parts are those of the \
              mechanism.",
@@ -126,40 +126,30 @@ pub(crate) fn mechanism(page: &mut String, case: &CaseResult) {
                 0 | 1 => "Each bound has its own picture",
                 _ => "Each bound has its own mesh and its own picture",
             };
-            paragraph(
-                page,
-                &format!(
-                    "The picture of the limiting zones marks in violet what limits the lower \
-                     bound: the zones in which more strength would raise it. {own}. The two \
-                     pictures need not mark the same zones while the bounds are far apart."
-                ),
-            );
+            doc.paragraph(say!(
+                "The picture of the limiting zones marks in violet what limits the lower bound: \
+                 the zones in which more strength would raise it. {}. The two pictures need not \
+                 mark the same zones while the bounds are far apart.",
+                own
+            ));
         }
-        paragraph(page, "Where the mechanism of the upper bound dissipates energy:");
-        let mut parts: Vec<(String, f64)> =
-            case.dissipation.iter().map(|p| (p.part.clone(), p.share)).collect();
-        parts
-            .extend(case.welds.iter().filter_map(|w| Some((format!("weld {}", w.weld), w.share?))));
-        parts.extend(
-            case.support_slip.iter().map(|s| (format!("slip on support {}", s.support), s.share)),
-        );
-        parts.extend(case.tie_slip.iter().map(|s| (format!("slip along {}", s.tie), s.share)));
+        doc.paragraph("Where the mechanism of the upper bound dissipates energy:");
+        let bodies = case.dissipation.iter().map(|p| (Text::given(&p.part), p.share));
+        let welds = case.welds.iter().filter_map(|w| Some((say!("weld {}", &w.weld), w.share?)));
+        let supports =
+            case.support_slip.iter().map(|s| (say!("slip on support {}", &s.support), s.share));
+        let ties = case.tie_slip.iter().map(|s| (say!("slip along {}", &s.tie), s.share));
+        let mut parts: Vec<(Text, f64)> = bodies.chain(welds).chain(supports).chain(ties).collect();
         parts.sort_by(|a, b| b.1.total_cmp(&a.1));
         let rows =
-            parts.into_iter().map(|(name, share)| vec![name, format!("{:.1}", 100.0 * share)]);
-        table(
-            page,
-            &Table {
-                columns: strings(["place", "share of the dissipation [%]"]),
-                rows: rows.collect(),
-            },
-        );
+            parts.into_iter().map(|(name, share)| [name, format!("{:.1}", 100.0 * share).into()]);
+        doc.table(&Table::new(["place", "share of the dissipation [%]"], rows));
     }
-    welds(page, case);
+    welds(doc, case);
 }
 
 /// Demand on each weld.
-fn welds(page: &mut String, case: &CaseResult) {
+fn welds(doc: &mut Doc, case: &CaseResult) {
     let rows: Vec<Vec<String>> = case
         .welds
         .iter()
@@ -189,9 +179,8 @@ fn welds(page: &mut String, case: &CaseResult) {
     if rows.is_empty() {
         return;
     }
-    let name = inline(&case.name);
-    paragraph(page, &format!("Demand on the welds from the stress of the lower bound ({name}):"));
-    let columns = strings([
+    doc.paragraph(say!("Demand on the welds from the stress of the lower bound ({}):", &case.name));
+    let columns = Table::columns([
         "weld",
         "largest traction over strength [%]",
         "mean [%]",
@@ -203,8 +192,9 @@ fn welds(page: &mut String, case: &CaseResult) {
     // columns that are empty for every weld are left out
     let filled: Vec<bool> =
         (0..columns.len()).map(|k| rows.iter().any(|row| !row[k].is_empty())).collect();
-    let cut = |row: Vec<String>| {
+    let cut = |row: Vec<Text>| {
         row.into_iter().zip(&filled).filter(|(_, f)| **f).map(|(cell, _)| cell).collect()
     };
-    table(page, &Table { columns: cut(columns), rows: rows.into_iter().map(cut).collect() });
+    let rows = rows.into_iter().map(|row| row.into_iter().map(Text::from).collect());
+    doc.table(&Table { columns: cut(columns), rows: rows.map(cut).collect() });
 }

@@ -1,8 +1,10 @@
 //! Compares the component method with the bracket of a load case.
 
+use crate::document::Doc;
 use crate::figures::{Rounding, significant};
-use crate::markdown::markup::{inline, paragraph};
 use crate::result::result_file::CaseResult;
+use bracket_base::say;
+use bracket_base::words::Text;
 use bracket_codes::Comparison;
 use bracket_codes::check::Unit;
 
@@ -12,102 +14,96 @@ const PLANE_STRAIN: f64 = 1.154_700_538_379_251_5;
 
 /// One line for each member end. If the component method lies outside the bracket, the line gives
 /// the reasons.
-pub(crate) fn lines(page: &mut String, case: &CaseResult) {
+pub(crate) fn lines(doc: &mut Doc, case: &CaseResult) {
     let Some(demand) = &case.demand else { return };
     for c in &demand.component_method {
-        paragraph(page, &inline(&line(&case.name, c, case.factor_bounds())));
+        doc.paragraph(line(&case.name, c, case.factor_bounds()));
     }
     if let Some(why) = &demand.brittle {
-        paragraph(page, &inline(&format!("The lower bound decides nothing: {why}.")));
+        doc.paragraph(say!("The lower bound decides nothing: {}.", why));
     }
 }
 
-fn line(case: &str, c: &Comparison, bounds: (Option<f64>, Option<f64>)) -> String {
-    let beta = if c.beta > 0.0 {
-        format!(", β = {}", significant(c.beta, 3, Rounding::Nearest))
-    } else {
-        String::new()
+fn line(case: &str, c: &Comparison, bounds: (Option<f64>, Option<f64>)) -> Text {
+    let beta = match c.beta {
+        0.0 => String::new(),
+        beta => format!(", β = {}", significant(beta, 3, Rounding::Nearest)),
     };
-    let mut text = format!(
-        "{case}, {}: the component method gives M_j,Rd = {} for {}{beta}; the demand of the load \
-         case is {}.",
-        c.end,
+    let gives = say!(
+        "{}, {}: the component method gives M_j,Rd = {} for {}{}; the demand of the load case is \
+         {}.",
+        case.to_owned(),
+        &c.end,
         Unit::Moment.show(c.resistance),
-        c.sense,
+        &c.sense,
+        beta,
         Unit::Moment.show(c.demand.abs())
     );
-    let Some(method) = c.factor.filter(|f| *f > 0.0) else { return text };
-    let ratio = |b: f64, rounding| significant(b / method, 3, rounding);
+    let Some(method) = c.factor.filter(|f| *f > 0.0) else { return gives };
+    let low = |b: f64| format!("FE_low/CM = {}", significant(b / method, 3, Rounding::Down));
+    let up = |b: f64| format!("FE_up/CM = {}", significant(b / method, 3, Rounding::Up));
+    let ratios = match bounds {
+        (Some(l), Some(u)) => {
+            say!("{}, {}: it lies {}", low(l), up(u), place(method, l, u, c))
+        }
+        (Some(l), None) => say!("{}.", low(l)),
+        (None, Some(u)) => say!("{}.", up(u)),
+        (None, None) => Text::default(),
+    };
     let factor = significant(method, 3, Rounding::Nearest);
-    match bounds {
-        (Some(low), Some(up)) => {
-            text += &format!(
-                " Its load factor is {factor}; FE_low/CM = {}, FE_up/CM = {}: it lies {}",
-                ratio(low, Rounding::Down),
-                ratio(up, Rounding::Up),
-                place(method, low, up, c)
-            );
-        }
-        (Some(low), None) => {
-            text += &format!(
-                " Its load factor is {factor}; FE_low/CM = {}.",
-                ratio(low, Rounding::Down)
-            )
-        }
-        (None, Some(up)) => {
-            text +=
-                &format!(" Its load factor is {factor}; FE_up/CM = {}.", ratio(up, Rounding::Up))
-        }
-        (None, None) => text += &format!(" Its load factor is {factor}."),
+    match ratios.is_empty() {
+        true => say!("{} Its load factor is {}.", gives, factor),
+        false => say!("{} Its load factor is {}; {}", gives, factor, ratios),
     }
-    text
 }
 
 /// Position of the component method relative to the bracket, with the numbers that explain it.
-fn place(method: f64, low: f64, up: f64, c: &Comparison) -> String {
+fn place(method: f64, low: f64, up: f64, c: &Comparison) -> Text {
     let percent = |part: f64| significant(100.0 * part, 2, Rounding::Nearest);
-    let rows = format!(
-        "its rows: {}; lever arm {} mm",
-        c.limited_by,
-        significant(c.lever, 3, Rounding::Nearest)
-    );
+    let lever = significant(c.lever, 3, Rounding::Nearest);
+    let rows = say!("its rows: {}; lever arm {} mm", &c.limited_by, lever);
     let beam = Unit::Moment.show(c.beam);
     if method < low && !c.stability.is_empty() {
-        return format!(
+        return say!(
             "{} % below the lower bound. Limit analysis does not cover buckling, so the component \
-             method decides: {}; {rows}; the beam alone carries {beam}.",
+             method decides: {}; {}; the beam alone carries {}.",
             percent(1.0 - method / low),
-            c.stability.join("; ")
+            Text::joined("; ", c.stability.iter().cloned()),
+            rows,
+            beam
         );
     }
     if method < low {
-        return format!(
+        return say!(
             "{} % below the lower bound. The model carries more for two reasons. Plates and \
              flanges bend at f_y in the component method; in the model a plate that cannot \
              contract along a hinge carries up to 2/√3 = {} times that. The component method \
              measures to the bolt axis; in the model the bolt head, {} mm to either side of it, \
-             holds the plate nearer to the web. Component method: {rows}; the beam alone carries \
-             {beam}.",
+             holds the plate nearer to the web. Component method: {}; the beam alone carries {}.",
             percent(1.0 - method / low),
             significant(PLANE_STRAIN, 4, Rounding::Nearest),
-            significant(c.head, 3, Rounding::Nearest)
+            significant(c.head, 3, Rounding::Nearest),
+            rows,
+            beam
         );
     }
     if method > up {
-        return format!(
+        return say!(
             "{} % above the upper bound, because the mechanism of the model collapses at a lower \
-             load than the sum of the components: {rows}; the beam alone carries {beam}; M_j,Rd \
-             takes no account of the shear force, and of the column only its web and flange at \
-             the joint.",
-            percent(method / up - 1.0)
+             load than the sum of the components: {}; the beam alone carries {}; M_j,Rd takes no \
+             account of the shear force, and of the column only its web and flange at the joint.",
+            percent(method / up - 1.0),
+            rows,
+            beam
         );
     }
-    format!("inside the bracket ({rows}).")
+    say!("inside the bracket ({}).", rows)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::document::english;
     use crate::result::demand::Demand;
     use crate::result::fixtures::case;
     use crate::result::result_file::FrictionModel;
@@ -136,7 +132,7 @@ mod tests {
     /// lies.
     #[test]
     fn the_line_says_on_which_side_and_by_how_much() {
-        let line = |factor| line("ULS1", &comparison(factor), (Some(1.2), Some(1.5)));
+        let line = |factor| line("ULS1", &comparison(factor), (Some(1.2), Some(1.5))).to_string();
         let inside = line(1.3);
         assert!(
             inside.contains("FE_low/CM = 0.923, FE_up/CM = 1.16: it lies inside the bracket"),
@@ -151,7 +147,7 @@ mod tests {
         let mut unstable = comparison(1.0);
         unstable.stability =
             vec!["the column web buckles: ρ = 0.645 (EN 1993-1-8:2005 6.2.6.2)".into()];
-        let decided = super::line("ULS1", &unstable, (Some(1.2), Some(1.5)));
+        let decided = super::line("ULS1", &unstable, (Some(1.2), Some(1.5))).to_string();
         assert!(
             decided.contains("does not cover buckling") && decided.contains("ρ = 0.645"),
             "{decided}"
@@ -162,7 +158,7 @@ mod tests {
         );
         let above = line(1.8);
         assert!(above.contains("20 % above the upper bound") && above.contains("148"), "{above}");
-        let one = super::line("ULS1", &comparison(1.0), (Some(1.2), None));
+        let one = super::line("ULS1", &comparison(1.0), (Some(1.2), None)).to_string();
         assert!(one.ends_with("FE_low/CM = 1.2.") || one.ends_with("FE_low/CM = 1.20."), "{one}");
     }
     /// The bounds of an elastic case are energies: nothing is compared with them.
@@ -179,9 +175,7 @@ mod tests {
             let mut demand = Demand::new(&case, Vec::new(), &HandChecks::default());
             demand.component_method = vec![comparison(1.3)];
             case.demand = Some(demand);
-            let mut page = String::new();
-            lines(&mut page, &case);
-            page
+            english(|doc| lines(doc, &case))
         };
         let elastic = text(Quantity::PotentialEnergy);
         assert!(

@@ -1,43 +1,41 @@
 //! Verdicts and capacities of the load cases with a demand, and the actions on the joint.
 
+use crate::document::Doc;
+use crate::document::table::{Table, cells, dash};
 use crate::figures::{Rounding, bracket, significant, utilisation};
-use crate::markdown::markup::{strings, table};
-use crate::markdown::report_data::{GivenActions, Table};
+use crate::markdown::report_data::GivenActions;
 use crate::result::demand::{Demand, EndAction};
 use crate::result::result_file::CaseResult;
 use crate::result::result_file::ResultFile;
+use bracket_base::say;
+use bracket_base::words::Text;
 use bracket_codes::check::{Unit, number};
 use bracket_joint::assembly::PlaneActions;
 
 /// Verdicts and capacities, one row per case and one row per action; empty without a demand.
-pub(crate) fn demands(page: &mut String, result: &ResultFile, given: &[GivenActions]) {
+pub(crate) fn demands(doc: &mut Doc, result: &ResultFile, given: &[GivenActions]) {
     let judged: Vec<(&CaseResult, &Demand)> =
         result.cases.iter().filter_map(|c| Some((c, c.demand.as_ref()?))).collect();
     if judged.len() > 1 {
         let rows = judged.iter().map(|(c, d)| {
-            let between = c.utilisation.map_or("–".into(), |[l, u]| {
-                format!("{} … {}", utilisation(l, Rounding::Down), utilisation(u, Rounding::Up))
+            let between = c.utilisation.map_or_else(dash, |[l, u]| {
+                let (l, u) = (utilisation(l, Rounding::Down), utilisation(u, Rounding::Up));
+                format!("{l} … {u}").into()
             });
-            vec![c.name.clone(), d.verdict.words().into(), between]
+            [Text::given(&c.name), d.verdict.words().into(), between]
         });
-        table(
-            page,
-            &Table {
-                columns: strings(["load case", "verdict", "utilisation"]),
-                rows: rows.collect(),
-            },
-        );
+        doc.table(&Table::new(["load case", "verdict", "utilisation"], rows));
     }
     let of_ends = actions(result, given);
     if !of_ends.rows.is_empty() {
-        table(page, &of_ends);
+        doc.table(&of_ends);
     }
 }
 
 /// The actions at member ends, with what the joint carries of them; of cases without an analysis
 /// those that are `given`.
 pub(crate) fn actions(result: &ResultFile, given: &[GivenActions]) -> Table {
-    let mut rows = Vec::new();
+    let mut rows: Vec<Vec<Text>> = Vec::new();
     let judged: Vec<&CaseResult> = result.cases.iter().filter(|c| c.demand.is_some()).collect();
     for case in &judged {
         let bounds = case.factor_bounds();
@@ -49,9 +47,9 @@ pub(crate) fn actions(result: &ResultFile, given: &[GivenActions]) -> Table {
     }
     let columns =
         ["load case", "member end", "action", "given", "carried at least", "carried at most"];
-    let mut columns = strings(columns);
+    let mut columns = Table::columns(columns);
     // without a bound the last two columns say nothing
-    if rows.iter().all(|r| r[4..].iter().all(|c| c == "–")) {
+    if rows.iter().all(|r| r[4..].iter().all(|c| *c == dash())) {
         columns.truncate(4);
         rows.iter_mut().for_each(|r| r.truncate(4));
     }
@@ -72,10 +70,10 @@ pub fn on_planes(actions: &[PlaneActions]) -> Table {
         let unit = |k: usize| if k < 3 { Unit::Force } else { Unit::Moment };
         let values = shown.iter().map(|k| unit(*k).show(of(a)[*k]).replace('-', "−"));
         let place = [a.case.clone(), a.end.clone(), format!("{} mm", number(a.from_node))];
-        place.into_iter().chain(values).collect()
+        place.into_iter().chain(values).map(Text::from).collect()
     };
-    let mut columns = strings(["load case", "member end", "d, from the node"]);
-    columns.extend(shown.iter().map(|k| names[*k].to_owned()));
+    let mut columns = Table::columns(["load case", "member end", "d, from the node"]);
+    columns.extend(shown.iter().map(|k| Text::from(names[*k])));
     Table { columns, rows: actions.iter().map(row).collect() }
 }
 
@@ -83,11 +81,7 @@ pub fn on_planes(actions: &[PlaneActions]) -> Table {
 pub(crate) const ON_PLANES: &str =
     "Actions at the bolt plane, with which the checks are made: My = My,node + d Vz";
 
-fn action_row(
-    case: &str,
-    a: &EndAction,
-    (lower, upper): (Option<f64>, Option<f64>),
-) -> Vec<String> {
+fn action_row(case: &str, a: &EndAction, (lower, upper): (Option<f64>, Option<f64>)) -> Vec<Text> {
     let (value, unit) = a.value.shown();
     let sign = if value < 0.0 { "−" } else { "" };
     let size = |factor: f64, rounding| {
@@ -96,25 +90,26 @@ fn action_row(
     let (low, high) = match (lower, upper) {
         (Some(l), Some(u)) if a.factored && value != 0.0 => {
             let (l, u) = bracket((l * value.abs()).next_down(), (u * value.abs()).next_up(), 3);
-            (format!("{sign}{l} {unit}"), format!("{sign}{u} {unit}"))
+            (format!("{sign}{l} {unit}").into(), format!("{sign}{u} {unit}").into())
         }
         _ if !a.factored => ("fixed".into(), "fixed".into()),
         // words state whether a single bound is a lower or an upper one
         (Some(l), None) if value != 0.0 => {
-            (format!("at least {}", size(l.next_down(), Rounding::Down)), "–".into())
+            (say!("at least {}", size(l.next_down(), Rounding::Down)), dash())
         }
         (None, Some(u)) if value != 0.0 => {
-            ("–".into(), format!("at most {}", size(u.next_up(), Rounding::Up)))
+            (dash(), say!("at most {}", size(u.next_up(), Rounding::Up)))
         }
-        _ => ("–".into(), "–".into()),
+        _ => (dash(), dash()),
     };
     let given = format!("{sign}{} {unit}", (1e9 * value.abs()).round() / 1e9);
-    vec![case.into(), format!("{} at {}", a.end, a.at), a.action.clone(), given, low, high]
+    cells![Text::given(case), say!("{} at {}", &a.end, &a.at), a.action.clone(), given, low, high]
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::document::english;
     use crate::result::demand::ActionValue;
     use crate::result::fixtures::limit_case;
     use bracket_codes::HandChecks;
@@ -136,9 +131,7 @@ mod tests {
             case.demand = Some(Demand::new(&case, actions, &HandChecks::default()));
             let mut result = ResultFile::new("", 1, Verdict::Undecided);
             result.cases.push(case);
-            let mut page = String::new();
-            demands(&mut page, &result, &[]);
-            page
+            english(|doc| demands(doc, &result, &[]))
         };
         let page = text(None, Some(1.2));
         assert!(

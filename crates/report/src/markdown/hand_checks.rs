@@ -1,12 +1,14 @@
 //! The hand checks in the report: one table per topic, with the numbers of every formula.
 
-use crate::markdown::markup::{bold, heading, inline, paragraph, strings, table};
-use crate::markdown::report_data::Table;
+use crate::document::Doc;
+use crate::document::table::{Table, bold, cells};
 use crate::summary::{EXCEEDED, used_words};
+use bracket_base::say;
+use bracket_base::words::Text;
 use bracket_codes::{Binding, Check, Status, Step, Topic};
 
 /// The lines below the verdict: the checks that failed, and those that the code leaves undecided.
-pub(crate) fn failed(page: &mut String, checks: &[Check]) {
+pub(crate) fn failed(doc: &mut Doc, checks: &[Check]) {
     for (status, one, many) in [
         (Status::Failed, "A check fails", "Checks fail"),
         (
@@ -19,15 +21,11 @@ pub(crate) fn failed(page: &mut String, checks: &[Check]) {
         if found.is_empty() {
             continue;
         }
-        paragraph(page, &format!("**{}**:", if found.len() == 1 { one } else { many }));
-        for (c, cases) in each_once(&found) {
-            let mut text = c.sentence();
-            if cases > 1 {
-                text += &format!("; the worst of {cases} cases");
-            }
-            page.push_str(&format!("- {}\n", inline(&text)));
-        }
-        page.push('\n');
+        doc.paragraph(say!("**{}**:", if found.len() == 1 { one } else { many }));
+        doc.list(each_once(&found).into_iter().map(|(c, cases)| match cases {
+            1 => c.sentence(),
+            _ => say!("{}; the worst of {} cases", c.sentence(), cases),
+        }));
     }
 }
 
@@ -55,33 +53,33 @@ fn each_once<'a>(checks: &[&'a Check]) -> Vec<(&'a Check, usize)> {
 }
 
 /// The section of hand checks, below the input.
-pub(crate) fn checks(page: &mut String, checks: &[Check]) {
+pub(crate) fn checks(doc: &mut Doc, checks: &[Check]) {
     if checks.is_empty() {
         return;
     }
-    heading(page, "Hand checks");
+    doc.heading("Hand checks");
     for (topic, title, words) in TOPICS {
         let mine: Vec<&Check> = checks.iter().filter(|c| c.topic == topic).collect();
         if mine.is_empty() {
             continue;
         }
-        paragraph(page, &format!("**{title}.** {words}"));
+        doc.paragraph(say!("**{}.** {}", title, words));
         let decided = mine.iter().any(|c| c.utilisation.is_some());
         let rows = mine.iter().map(|c| {
-            let mut row = vec![place(c), c.title.text(), formula(c), c.clause.clone()];
+            let mut row = cells![place(c), c.title.text(), formula(c), c.clause.clone()];
             if decided {
                 let used = used_words(c);
                 let word = status(c);
                 let stands_out = matches!(c.status, Status::Failed | Status::Undecided);
-                row.extend([used, if stands_out { bold(word) } else { word.into() }]);
+                row.extend(cells![used, if stands_out { bold(word) } else { word.into() }]);
             }
             row
         });
-        let mut columns = strings(["case, part", "check", "numbers", "clause"]);
+        let mut columns = Table::columns(["case, part", "check", "numbers", "clause"]);
         if decided {
-            columns.extend(strings(["utilisation", "status"]));
+            columns.extend(Table::columns(["utilisation", "status"]));
         }
-        table(page, &Table { columns, rows: rows.collect() });
+        doc.table(&Table { columns, rows: rows.collect() });
     }
 }
 
@@ -150,19 +148,18 @@ pub(crate) const TOPICS: [(Topic, &str, &str); 8] = [
 ];
 
 /// An intermediate value with its symbol.
-pub(crate) fn value_of(step: &Step) -> String {
-    format!("{} = {}", step.symbol, step.unit.show(step.value))
+pub(crate) fn value_of(step: &Step) -> Text {
+    say!("{} = {}", &step.symbol, step.unit.show(step.value))
 }
 
-fn formula(c: &Check) -> String {
-    let values: Vec<String> = c.values.iter().map(value_of).collect();
-    if values.is_empty() { c.formula() } else { format!("{}; {}", c.formula(), values.join(", ")) }
+fn formula(c: &Check) -> Text {
+    let values = Text::joined(", ", c.values.iter().map(value_of));
+    Text::joined("; ", [c.derivation.text(), values])
 }
 
 /// Load case and part of a check.
-pub(crate) fn place(c: &Check) -> String {
-    let case = c.case.as_ref().map_or(String::new(), |case| format!("{case}, "));
-    format!("{case}{}", c.subject)
+pub(crate) fn place(c: &Check) -> Text {
+    Text::joined(", ", [c.case.as_ref().map(Text::given).unwrap_or_default(), c.subject.text()])
 }
 
 /// The status of a check in words, the same as in the summary.

@@ -1,31 +1,30 @@
 //! The section on the joint: drawings and the lists of bolts, plates, stiffeners and welds.
 
-use crate::markdown::markup::{heading, inline, paragraph, table};
+use crate::document::Doc;
 use crate::markdown::report_data::ReportData;
 
 /// Drawings, bolts, plates and welds.
-pub(crate) fn joint(page: &mut String, data: &ReportData) {
+pub(crate) fn joint(doc: &mut Doc, data: &ReportData) {
     if data.input.drawings.is_empty() && data.input.schedule.rows.is_empty() {
         return;
     }
-    heading(page, "Joint");
+    doc.heading("Joint");
     for drawing in &data.input.drawings {
-        paragraph(page, &format!("![{}]({})", inline(&drawing.caption), drawing.file));
+        doc.picture(drawing);
     }
     if !data.input.schedule.rows.is_empty() {
-        paragraph(
-            page,
+        doc.paragraph(
             "Bolts, plates and stiffeners, with masses from nominal sizes at 7850 kg/m³; members \
              are not listed:",
         );
-        table(page, &data.input.schedule);
+        doc.table(&data.input.schedule);
     }
     if !data.input.welds.rows.is_empty() {
-        paragraph(page, "Welds, with the metal of fillets of equal legs:");
-        table(page, &data.input.welds);
+        doc.paragraph("Welds, with the metal of fillets of equal legs:");
+        doc.table(&data.input.welds);
     }
     if !data.input.supports.rows.is_empty() {
-        paragraph(page, "Supports of the model:");
-        table(page, &data.input.supports);
+        doc.paragraph("Supports of the model:");
+        doc.table(&data.input.supports);
     }
 }

@@ -1,18 +1,20 @@
 //! The component method with the numbers of its T-stubs, rows and limits, from which a reader can
 //! compute M_j,Rd again.
 
+use crate::document::Doc;
+use crate::document::table::{Table, cells, dash};
 use crate::figures::{Rounding, fixed};
 use crate::markdown::hand_checks::value_of;
-use crate::markdown::markup::{bold, dash, heading, inline, paragraph, strings, table};
-use crate::markdown::report_data::Table;
+use bracket_base::say;
+use bracket_base::words::Text;
 use bracket_codes::component_method::t_stub::Mode;
 use bracket_codes::end_plate::{LimitRecord, MethodRecord, RowRecord, StubRecord, WebRecord};
 
 /// The section of `report.md`: every sense of bending.
-pub(crate) fn section(page: &mut String, records: &[MethodRecord]) {
+pub(crate) fn section(doc: &mut Doc, records: &[MethodRecord]) {
     if !records.is_empty() {
-        heading(page, TITLE);
-        senses(page, records.iter());
+        doc.heading(TITLE);
+        senses(doc, records.iter());
     }
 }
 
@@ -27,35 +29,32 @@ const KEY: &str = "Lengths in mm, forces in kN. ℓ_eff,1 = min(ℓ_eff,cp, ℓ_
                    e is e_x.";
 
 /// The records of some senses of bending.
-pub(crate) fn senses<'a>(page: &mut String, records: impl Iterator<Item = &'a MethodRecord>) {
+pub(crate) fn senses<'a>(doc: &mut Doc, records: impl Iterator<Item = &'a MethodRecord>) {
     for (i, record) in records.enumerate() {
-        paragraph(page, &inline(&given(record)));
-        table(page, &stubs(&record.stubs));
+        doc.paragraph(given(record));
+        doc.table(&stubs(&record.stubs));
         if i == 0 {
-            paragraph(page, &inline(KEY));
+            doc.paragraph(KEY);
         }
-        table(page, &rows(&record.rows));
-        for limit in &record.limits {
-            page.push_str(&format!("- {}\n", inline(&limit_words(limit))));
-        }
-        page.push_str(&format!("- {}\n", inline(&record.formula)));
-        let values: Vec<String> = record.stiffness.iter().map(value_of).collect();
-        let stiffness = format!("{}; {}", record.initial_stiffness, values.join(", "));
-        page.push_str(&format!("- {}\n\n", inline(&stiffness)));
+        doc.table(&rows(&record.rows));
+        let limits = record.limits.iter().map(limit_words);
+        let values = Text::joined(", ", record.stiffness.iter().map(value_of));
+        let stiffness = say!("{}; {}", &record.initial_stiffness, values);
+        doc.list(limits.chain([record.formula.clone(), stiffness]));
     }
 }
 
 /// Sense of bending with the values that all its T-stubs share.
-fn given(r: &MethodRecord) -> String {
+fn given(r: &MethodRecord) -> Text {
     let mut parts = vec![
-        format!("F_t,Rd = {} kN", force(r.bolt)),
-        format!("γ_M0 = {}", trimmed(r.gamma_m0, 3)),
+        Text::from(format!("F_t,Rd = {} kN", force(r.bolt))),
+        format!("γ_M0 = {}", trimmed(r.gamma_m0, 3)).into(),
     ];
     if r.beta > 0.0 {
-        parts.push(format!("β = {}", trimmed(r.beta, 4)));
+        parts.push(format!("β = {}", trimmed(r.beta, 4)).into());
     }
-    let mut steel = |name: &str, thickness: f64, fy: f64| {
-        let text = format!("{name}: t = {} mm, f_y = {} MPa", length(thickness), trimmed(fy, 1));
+    let mut steel = |name: &Text, thickness: f64, fy: f64| {
+        let text = say!("{}: t = {} mm, f_y = {} MPa", name, length(thickness), trimmed(fy, 1));
         if !parts.contains(&text) {
             parts.push(text);
         }
@@ -64,7 +63,7 @@ fn given(r: &MethodRecord) -> String {
         steel(&stub.part, stub.thickness, stub.fy);
         stub.web.iter().for_each(|w| steel(&w.part, w.thickness, w.fy));
     }
-    format!("{}: {}.", bold(&r.subject), parts.join("; "))
+    say!("**{}**: {}.", &r.subject, Text::joined("; ", parts))
 }
 
 fn stubs(stubs: &[StubRecord]) -> Table {
@@ -73,12 +72,12 @@ fn stubs(stubs: &[StubRecord]) -> Table {
         let rows = if first == last { first.to_string() } else { format!("{first}–{last}") };
         let list = |all: &[f64], places| {
             let all: Vec<String> = all.iter().map(|x| trimmed(*x, places)).collect();
-            if all.is_empty() { dash() } else { all.join("/") }
+            if all.is_empty() { dash() } else { all.join("/").into() }
         };
-        let mode = |of: Mode| s.modes.iter().find(|m| m.0 == of).map(|m| force(m.1));
+        let mode = |of: Mode| s.modes.iter().find(|m| m.0 == of).map(|m| Text::from(force(m.1)));
         let one = mode(Mode::Flange).or(mode(Mode::FlangeWithoutPrying));
-        let web = |of: fn(&WebRecord) -> String| s.web.as_ref().map_or_else(dash, of);
-        vec![
+        let web = |of: fn(&WebRecord) -> String| s.web.as_ref().map_or_else(dash, |w| of(w).into());
+        cells![
             rows,
             s.part.clone(),
             length(s.m),
@@ -91,12 +90,12 @@ fn stubs(stubs: &[StubRecord]) -> Table {
             one.unwrap_or_else(dash),
             mode(Mode::FlangeAndBolts).unwrap_or_else(dash),
             mode(Mode::Bolts).unwrap_or_else(dash),
-            s.mode.number().into(),
+            s.mode.number(),
             web(|w| trimmed(w.omega, 4)),
             web(|w| force(w.resistance)),
         ]
     };
-    let columns = strings([
+    let columns = Table::columns([
         "row",
         "part",
         "m",
@@ -118,11 +117,11 @@ fn stubs(stubs: &[StubRecord]) -> Table {
 
 fn rows(rows: &[RowRecord]) -> Table {
     let mut columns =
-        strings(["row", "z", "h_r", "alone", "after groups", "F_tr,Rd", "limited by"]);
+        Table::columns(["row", "z", "h_r", "alone", "after groups", "F_tr,Rd", "limited by"]);
     let symbols = rows.first().map_or(&[][..], |r| &r.stiffness);
     columns.extend(symbols.iter().map(|s| s.symbol.clone()));
     let row = |r: &RowRecord| {
-        let mut cells = vec![
+        let mut cells = cells![
             r.row.to_string(),
             length(r.z).replace('-', "−"),
             length(r.lever),
@@ -131,16 +130,15 @@ fn rows(rows: &[RowRecord]) -> Table {
             force(r.force),
             r.limited_by.clone(),
         ];
-        cells.extend(r.stiffness.iter().map(|k| trimmed(k.value, 3)));
+        cells.extend(r.stiffness.iter().map(|k| Text::from(trimmed(k.value, 3))));
         cells
     };
     Table { columns, rows: rows.iter().map(row).collect() }
 }
 
-fn limit_words(l: &LimitRecord) -> String {
-    let values: Vec<String> = l.values.iter().map(value_of).collect();
-    let values = if values.is_empty() { String::new() } else { format!("; {}", values.join(", ")) };
-    format!("{}: {}{values} ({})", l.part, l.formula, l.clause)
+fn limit_words(l: &LimitRecord) -> Text {
+    let values = Text::joined(", ", l.values.iter().map(value_of));
+    say!("{}: {} ({})", &l.part, Text::joined("; ", [l.formula.clone(), values]), &l.clause)
 }
 
 /// A length with two decimals \[mm\].

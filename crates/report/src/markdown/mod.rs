@@ -12,7 +12,6 @@ pub mod hand_checks;
 pub mod history;
 pub mod input;
 pub mod joint;
-pub mod markup;
 pub mod method;
 pub mod polygon;
 pub mod preload;

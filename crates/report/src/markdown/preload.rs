@@ -1,14 +1,15 @@
 //! The sentences on preloaded bolts.
 
 use crate::figures::{Rounding, significant};
-use crate::markdown::markup::inline;
+use bracket_base::say;
+use bracket_base::words::Text;
 use bracket_engine::analysis::preloaded_bolt::PreloadedBolt;
 
 /// Preload, closure and tension of a preloaded bolt.
-pub(crate) fn preload_words(bolt: &PreloadedBolt) -> String {
+pub(crate) fn preload_words(bolt: &PreloadedBolt) -> Text {
     let kilonewtons = |f: f64| format!("{} kN", significant(f / 1e3, 4, Rounding::Nearest));
-    let loaded = bolt.tension.map_or(String::new(), |t| {
-        format!(
+    let loaded = bolt.tension.map_or_else(Text::default, |t| {
+        say!(
             "; under the loads the stress of the lower bound gives a tension of {} there (an \
              estimate)",
             kilonewtons(t)
@@ -19,12 +20,13 @@ pub(crate) fn preload_words(bolt: &PreloadedBolt) -> String {
     } else {
         ""
     };
-    format!(
-        "Bolt {}: the preload of {}{halved} closes the cut {} by {} mm, the same for both \
-         programs{loaded}.",
-        inline(&bolt.body),
+    say!(
+        "Bolt {}: the preload of {}{} closes the cut {} by {} mm, the same for both programs{}.",
+        &bolt.body,
         kilonewtons(bolt.force),
-        inline(&bolt.cut),
-        significant(bolt.closure, 6, Rounding::Nearest)
+        halved,
+        &bolt.cut,
+        significant(bolt.closure, 6, Rounding::Nearest),
+        loaded
     )
 }

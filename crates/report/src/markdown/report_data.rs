@@ -1,10 +1,13 @@
 //! The data of the printed report. They are plain strings and tables, so that the sections do not
 //! depend on the engine.
 
+use crate::document::picture::PictureRef;
+use crate::document::table::Table;
 use crate::result::demand::EndAction;
 use crate::result::result_file::{RESULT_FILE, ResultFile};
 use crate::words::Words;
 use bracket_base::diag::{Diagnostic, Diagnostics};
+use bracket_base::words::{Collected, Text, collected};
 use bracket_codes::verdict::Verdict;
 use bracket_joint::spec::connection::Language;
 use serde::{Deserialize, Serialize};
@@ -69,9 +72,13 @@ pub struct ReportData {
     /// Features of the model, for the sentences about limits.
     pub model: ModelTraits,
     /// Further assumptions, a sentence each.
-    pub assumptions: Vec<String>,
+    pub assumptions: Vec<Text>,
     /// Decisions and remarks of the reader, a sentence each.
-    pub notes: Vec<String>,
+    pub notes: Vec<Text>,
+    /// The data of the sentences of `report.json` and `result.json`, by which a report says them in
+    /// another language.
+    #[serde(default)]
+    pub words: Collected,
 }
 
 /// File of the report's data beside `result.json`.
@@ -83,25 +90,23 @@ fn nothing() -> ResultFile {
 }
 
 impl ReportData {
-    /// The text of `report.json`.
-    pub fn to_json(&self) -> Result<String, Diagnostics> {
-        serde_json::to_string_pretty(self).map(|t| t + "\n").map_err(|e| {
+    /// The text of `report.json`, with the data of its sentences and of those of the result.
+    pub fn to_json(&mut self) -> Result<String, Diagnostics> {
+        let fault = |e| {
             Diagnostic::environment("report/data", format!("the report's data: {e}")).into()
-        })
+        };
+        let (written, words) = collected(|| {
+            serde_json::to_writer(std::io::sink(), &self.result)?;
+            serde_json::to_writer(std::io::sink(), self)
+        });
+        written.map_err(fault)?;
+        self.words = words;
+        serde_json::to_string_pretty(self).map(|t| t + "\n").map_err(fault)
     }
 
-    /// The words of the reports. Names of load cases, bodies and members stay as given.
+    /// The words of the reports.
     pub fn words(&self) -> Words {
-        let given = self.input.demands.iter().flat_map(|d| {
-            d.actions.iter().flat_map(|a| [a.end.clone(), a.at.clone()]).chain([d.case.clone()])
-        });
-        let cases = self.result.cases.iter().flat_map(|c| {
-            let parts = c.dissipation.iter().map(|p| p.part.clone());
-            parts.chain(c.limiting_part.clone()).chain([c.name.clone()])
-        });
-        let checked = self.result.checks.iter().filter_map(|c| c.case.clone());
-        let named = self.input.resolved.iter().map(|v| v.name.clone());
-        Words::new(self.input.language, given.chain(cases).chain(checked).chain(named))
+        Words::new(self.input.language).with(self.words.clone())
     }
 
     /// The data of a finished result folder.
@@ -129,11 +134,11 @@ pub struct ResolvedValue {
     /// Its name: `bolts.rows[1]`.
     pub name: String,
     /// Its value with meaningful digits.
-    pub value: String,
+    pub value: Text,
     /// Its unit; empty for a plain number or word.
     pub unit: String,
     /// Its origin: `given`, `default`, `catalogue`, `computed`.
-    pub origin: String,
+    pub origin: Text,
 }
 
 /// The actions of a load case at member ends.
@@ -149,33 +154,15 @@ pub struct GivenActions {
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct CatalogueRow {
     /// Kind: `profile`, `bolt`, `steel`.
-    pub kind: String,
+    pub kind: Text,
     /// Name of the row.
     pub name: String,
     /// Standard and edition of the numbers.
-    pub source: String,
+    pub source: Text,
     /// True if the row is from a table of the user.
     pub own: bool,
     /// Column with unit (`h [mm]`) and value.
     pub values: Vec<(String, String)>,
-}
-
-/// A picture of the result folder.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub struct PictureRef {
-    /// File name, relative to the folder.
-    pub file: String,
-    /// Caption.
-    pub caption: String,
-}
-
-/// A table: titles with units, rows of text.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Table {
-    /// Titles, units in brackets.
-    pub columns: Vec<String>,
-    /// Rows, as long as `columns`.
-    pub rows: Vec<Vec<String>>,
 }
 
 /// Features of the model that the report must mention.

@@ -1,38 +1,45 @@
 //! The summary of the checks as a table, with the governing one in bold.
 
-use crate::markdown::markup::{bold, paragraph, strings, table};
-use crate::markdown::report_data::Table;
+use crate::document::Doc;
+use crate::document::table::{Table, bold, cells};
 use crate::result::result_file::ResultFile;
 use crate::summary::{SummaryRow, summary_rows};
 
 /// Writes check, Ed, Rd, utilisation, clause and status; empty without a demand.
-pub(crate) fn table_of_checks(page: &mut String, result: &ResultFile) {
+pub(crate) fn table_of_checks(doc: &mut Doc, result: &ResultFile) {
     let rows = summary_rows(result);
     if rows.is_empty() {
         return;
     }
     let cells = |r: SummaryRow| {
         let cells =
-            [r.case, r.check, r.demand, r.resistance, r.utilisation, r.clause, r.status].to_vec();
+            cells![r.case, r.check, r.demand, r.resistance, r.utilisation, r.clause, r.status];
         match r.governs {
-            true => cells.iter().map(|c| bold(c)).collect(),
+            true => cells.into_iter().map(bold).collect(),
             false => cells,
         }
     };
-    paragraph(
-        page,
+    doc.paragraph(
         "Every check with a demand, the worst first; the governing one is bold. Distances and \
          throats that are kept measure no strength and come last:",
     );
-    let columns =
-        strings(["case", "check", "required", "provided", "utilisation", "clause", "status"]);
+    let columns = Table::columns([
+        "case",
+        "check",
+        "required",
+        "provided",
+        "utilisation",
+        "clause",
+        "status",
+    ]);
     let rows = rows.into_iter().map(cells).collect();
-    table(page, &Table { columns, rows });
+    doc.table(&Table { columns, rows });
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::document::english;
     use bracket_codes::formula::Traced;
     use bracket_codes::subject::Part;
     use bracket_codes::verdict::Verdict;
@@ -55,8 +62,7 @@ mod tests {
             check(Topic::Bolts, 0.9, Status::Failed),
             exceeded(check(Topic::ComponentMethod, 1.3, Status::Failed), Status::Warning),
         ];
-        let mut page = String::new();
-        table_of_checks(&mut page, &result);
+        let page = english(|doc| table_of_checks(doc, &result));
         let line =
             |number: &str| page.lines().find(|l| l.contains(number)).unwrap_or_default().to_owned();
         assert!(line("0.90").contains("**0.90**") && !line("0.70").contains("**"), "{page}");
@@ -65,8 +71,7 @@ mod tests {
             "{page}"
         );
         result.checks.push(check(Topic::Welds, 1.01, Status::Failed));
-        let mut page = String::new();
-        table_of_checks(&mut page, &result);
+        let page = english(|doc| table_of_checks(doc, &result));
         assert!(page.contains("**FAILED**") && !page.contains("**0.90**"), "{page}");
         // a throat below its minimum governs; a throat above it does not, however close it is
         result.checks.pop();
@@ -75,8 +80,7 @@ mod tests {
             Check::at_least(what.0, what.1, "a", 3.0, a, Status::Failed).of_case(case)
         };
         result.checks.push(throat(3.1, "ULS1"));
-        let mut page = String::new();
-        table_of_checks(&mut page, &result);
+        let page = english(|doc| table_of_checks(doc, &result));
         let line =
             |words: &str| page.lines().find(|l| l.contains(words)).unwrap_or_default().to_owned();
         assert!(
@@ -85,19 +89,16 @@ mod tests {
         );
         assert!(page.contains("**0.90**"), "{page}");
         result.checks.push(throat(2.9, "ULS2"));
-        let mut page = String::new();
-        table_of_checks(&mut page, &result);
+        let page = english(|doc| table_of_checks(doc, &result));
         assert!(page.contains("**ULS2**") && page.contains("**FAILED**"), "{page}");
         // information that is satisfied is reported with the same word as other checks
         let held = check(Topic::ComponentMethod, 0.5, Status::Failed);
         result.checks.push(exceeded(held, Status::Information));
-        let mut page = String::new();
-        table_of_checks(&mut page, &result);
+        let page = english(|doc| table_of_checks(doc, &result));
         assert!(page.contains("OK, information") && !page.contains("holds"), "{page}");
         // without a load there is no demand
         result.checks.iter_mut().for_each(|c| c.case = None);
-        let mut page = String::new();
-        table_of_checks(&mut page, &result);
-        assert!(page.is_empty(), "{page}");
+        let page = english(|doc| table_of_checks(doc, &result));
+        assert!(page.trim().is_empty(), "{page}");
     }
 }

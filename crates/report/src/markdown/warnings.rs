@@ -1,29 +1,28 @@
 //! The section with all warnings.
 
-use crate::markdown::markup::{heading, inline};
+use crate::document::Doc;
 use crate::markdown::report_data::ReportData;
+use bracket_base::say;
+use bracket_base::words::Text;
 use bracket_codes::{Check, Status, Topic};
 
-pub(crate) fn warnings(page: &mut String, data: &ReportData) {
+pub(crate) fn warnings(doc: &mut Doc, data: &ReportData) {
     let all = all_warnings(data);
     if !all.is_empty() {
-        heading(page, "Warnings");
-        for warning in all {
-            page.push_str(&format!("- {}\n", inline(&warning)));
-        }
-        page.push('\n');
+        doc.heading("Warnings");
+        doc.list(all);
     }
 }
 
 /// All warnings, a sentence each.
-pub(crate) fn all_warnings(data: &ReportData) -> Vec<String> {
+pub(crate) fn all_warnings(data: &ReportData) -> Vec<Text> {
     let mut out = data.result.warnings.clone();
     out.extend(detailing(&data.result.checks));
     // what several cases have in common is one warning
-    let mut of_cases: Vec<(&str, Vec<&str>)> = Vec::new();
+    let mut of_cases: Vec<(&Text, Vec<&str>)> = Vec::new();
     for case in &data.result.cases {
         for warning in &case.warnings {
-            match of_cases.iter_mut().find(|(w, _)| w == warning) {
+            match of_cases.iter_mut().find(|(w, _)| *w == warning) {
                 Some((_, cases)) => cases.push(&case.name),
                 None => of_cases.push((warning, vec![&case.name])),
             }
@@ -32,13 +31,13 @@ pub(crate) fn all_warnings(data: &ReportData) -> Vec<String> {
     for (_, cases) in &mut of_cases {
         cases.dedup();
     }
-    out.extend(of_cases.into_iter().map(|(w, cases)| format!("{}: {w}", cases.join(", "))));
+    out.extend(of_cases.into_iter().map(|(w, cases)| say!("{}: {}", cases.join(", "), w)));
     out
 }
 
 /// The warnings of detailing: a sentence for each rule, with the place that breaks it most and the
 /// other ones by name.
-fn detailing(checks: &[Check]) -> Vec<String> {
+fn detailing(checks: &[Check]) -> Vec<Text> {
     let used = |c: &Check| c.utilisation.unwrap_or(f64::INFINITY);
     let broken = |c: &&Check| c.topic == Topic::Detailing && c.status == Status::Warning;
     let mut rules: Vec<Vec<&Check>> = Vec::new();
@@ -51,12 +50,11 @@ fn detailing(checks: &[Check]) -> Vec<String> {
     let sentence = |places: Vec<&Check>| {
         let worst = places.iter().copied().reduce(|a, b| if used(b) > used(a) { b } else { a })?;
         let rest = places.iter().filter(|c| c.subject != worst.subject);
-        let rest: Vec<String> = rest.map(|c| c.subject.text()).collect();
-        let mut text = format!("detailing: {}", worst.sentence());
-        if !rest.is_empty() {
-            text += &format!("; less so at: {}", rest.join("; "));
-        }
-        Some(text)
+        let rest = Text::joined("; ", rest.map(|c| c.subject.text()));
+        Some(match rest.is_empty() {
+            true => say!("detailing: {}", worst.sentence()),
+            false => say!("detailing: {}; less so at: {}", worst.sentence(), rest),
+        })
     };
     rules.into_iter().filter_map(sentence).collect()
 }

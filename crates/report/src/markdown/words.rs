@@ -1,5 +1,6 @@
 //! Names that several sections share.
 
+use bracket_base::words::Text;
 use bracket_engine::model::AnalysisKind;
 
 /// The kind of analysis in the words of the report.
@@ -8,5 +9,13 @@ pub(crate) fn analysis_word(kind: AnalysisKind) -> &'static str {
         AnalysisKind::Elastic => "elastic",
         AnalysisKind::Elastoplastic => "elastic, perfectly plastic",
         AnalysisKind::Limit => "limit analysis",
+    }
+}
+
+/// What a load moves, in the words of a report.
+pub(crate) fn moved(what: &'static str) -> Text {
+    match what {
+        "displacement" => "displacement (along the load, the mean over its face)".into(),
+        other => other.into(),
     }
 }

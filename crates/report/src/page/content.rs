@@ -1,13 +1,13 @@
 //! The sections of the page, from the sheet.
 
 use super::base64::base64;
+use crate::document::block::{Block, Grid, Span, Spans};
+use crate::document::symbols::Piece;
 use crate::escaped::escaped;
-use crate::markdown::report_data::PictureRef;
-use crate::sheet::blocks::{Block, Grid, Text};
-use crate::sheet::formula::Piece;
-use crate::sheet::{Bar, Section, Sheet, TopicSheet, VerdictBox};
+use crate::sheet::{Bar, Picture, Section, Sheet, TopicSheet, VerdictBox};
 use crate::summary::Tone;
 use crate::words::Words;
+use bracket_base::say;
 use std::fmt::Write as _;
 
 /// The page while it is written.
@@ -34,7 +34,7 @@ impl<'a> Content<'a> {
     pub fn report(&mut self, sheet: &Sheet, viewer: Option<String>) {
         self.title(sheet);
         self.verdict(&sheet.verdict);
-        let signs = |p: &&PictureRef| p.file.starts_with("actions");
+        let signs = |p: &&Picture| p.file.starts_with("actions");
         self.titled("Joint", |c| {
             sheet.drawings.iter().filter(|p| !signs(p)).for_each(|p| c.figure(p));
         });
@@ -88,7 +88,7 @@ impl<'a> Content<'a> {
         self.list("Warnings", &sheet.warnings);
         self.list("Assumptions and limits", &sheet.assumptions);
         self.further(&sheet.sections);
-        let (hash, input) = (escaped(&sheet.head.hash), self.words.say("input"));
+        let (hash, input) = (escaped(&sheet.head.hash), self.words.say(&"input".into()));
         self.line("footer", "", &format!("{} · {input} {hash}", escaped(&sheet.head.software)));
     }
 
@@ -120,7 +120,7 @@ impl<'a> Content<'a> {
             "<section class=\"verdict {}\" aria-label=\"{}\">\n<strong \
              class=\"word\">{}</strong><p>{}</p>\n",
             tone(verdict.tone),
-            escaped(&self.words.say("verdict")),
+            escaped(&self.words.say(&"verdict".into())),
             escaped(&verdict.word),
             pieces(&verdict.reason)
         );
@@ -144,8 +144,8 @@ impl<'a> Content<'a> {
     }
 
     /// A section with a title of the program.
-    fn titled(&mut self, title: &str, write: impl FnOnce(&mut Self)) {
-        let title = self.words.say(title);
+    fn titled(&mut self, title: &'static str, write: impl FnOnce(&mut Self)) {
+        let title = self.words.say(&title.into());
         self.section(&title, write);
     }
 
@@ -173,7 +173,7 @@ impl<'a> Content<'a> {
         let _ = writeln!(self.body, "<{element}{class}>{html}</{element}>");
     }
 
-    fn figure(&mut self, picture: &PictureRef) {
+    fn figure(&mut self, picture: &Picture) {
         let Some(bytes) = (self.picture)(&picture.file) else { return };
         let kind = if picture.file.ends_with(".svg") { "svg+xml" } else { "png" };
         let caption = escaped(&picture.caption);
@@ -185,7 +185,7 @@ impl<'a> Content<'a> {
         );
     }
 
-    fn list(&mut self, title: &str, items: &[Text]) {
+    fn list(&mut self, title: &'static str, items: &[Spans]) {
         if !items.is_empty() {
             self.titled(title, |c| c.block(&Block::List { items: items.to_vec() }));
         }
@@ -202,6 +202,8 @@ impl<'a> Content<'a> {
             }
             Block::Table { table } => self.grid(table),
             Block::Code { text } => self.line("pre", "", &escaped(text)),
+            // the page places the pictures itself
+            Block::Picture { .. } => {}
         }
     }
 
@@ -209,7 +211,7 @@ impl<'a> Content<'a> {
         let right = |c: usize| grid.right.get(c).copied().unwrap_or(false);
         let head: Vec<(String, bool)> =
             grid.columns.iter().enumerate().map(|(c, t)| (spans(t), right(c))).collect();
-        let row = |r: &Vec<Text>| {
+        let row = |r: &Vec<Spans>| {
             (false, r.iter().enumerate().map(|(c, t)| (spans(t), right(c))).collect())
         };
         self.table(&head, grid.rows.iter().map(row));
@@ -247,9 +249,9 @@ impl<'a> Content<'a> {
             ("clause", false),
             ("status", false),
         ];
-        let head = titles.map(|(t, right)| (escaped(&self.words.say(t)), right));
+        let head = titles.map(|(t, right)| (escaped(&self.words.say(&t.into())), right));
         let rows = sheet.summary.iter().map(|line| {
-            let row = &line.row;
+            let row = line;
             let cells = vec![
                 (escaped(&row.case), false),
                 (pieces(&line.what), false),
@@ -265,7 +267,8 @@ impl<'a> Content<'a> {
     }
 
     fn design_values(&mut self, sheet: &Sheet) {
-        let head = ["symbol", "of", "value"].map(|t| (escaped(&self.words.say(t)), t == "value"));
+        let head =
+            ["symbol", "of", "value"].map(|t| (escaped(&self.words.say(&t.into())), t == "value"));
         let rows = sheet.design_values.iter().map(|(symbol, of, value)| {
             (false, vec![(pieces(symbol), false), (escaped(of), false), (escaped(value), true)])
         });
@@ -276,7 +279,7 @@ impl<'a> Content<'a> {
         self.line("h3", "", &escaped(&topic.title));
         self.line("p", "", &pieces(&topic.words));
         let titles = ["case, part", "check", "clause", "utilisation", "status"];
-        let head = titles.map(|t| (escaped(&self.words.say(t)), t == "utilisation"));
+        let head = titles.map(|t| (escaped(&self.words.say(&t.into())), t == "utilisation"));
         let rows = topic.rows.iter().map(|row| {
             let values: Vec<String> =
                 row.values.iter().map(|v| format!("<span>{}</span>", pieces(v))).collect();
@@ -316,22 +319,22 @@ impl<'a> Content<'a> {
         };
         let (mut said, labels, words) = (Vec::new(), &bar.labels, self.words);
         if let Some(low) = &labels.low {
-            said.push(words.say(&format!("at least {low}")));
+            said.push(words.say(&say!("at least {}", low)));
             mark(bar.low, 74.0, "var(--accent)", format!("≥ {low}"));
         }
         if let (Some(x), Some(up)) = (bar.up, &labels.up) {
-            said.push(words.say(&format!("at most {up}")));
+            said.push(words.say(&say!("at most {}", up)));
             mark(x, 90.0, "var(--accent)", format!("≤ {up}"));
         }
-        let demand = escaped(&words.say("demand 1"));
+        let demand = escaped(&words.say(&"demand 1".into()));
         mark(1.0, 14.0, "var(--bad)", demand.clone());
         if let (Some(x), Some(method)) = (bar.method, &labels.method) {
-            let method = words.say(&format!("component method {method}"));
+            let method = words.say(&say!("component method {}", method));
             mark(x, 106.0, "var(--open)", escaped(&method));
             said.push(method);
         }
         let (from, said) = (at(bar.low), escaped(&said.join(", ")));
-        let what = escaped(&words.say("load factor"));
+        let what = escaped(&words.say(&"load factor".into()));
         let _ = writeln!(
             self.body,
             "<svg class=\"bounds\" viewBox=\"0 0 640 112\" role=\"img\" aria-label=\"{what}: \
@@ -387,8 +390,8 @@ fn math(pieces: &[Piece]) -> String {
     pieces.iter().map(one).collect()
 }
 
-fn spans(text: &Text) -> String {
-    let one = |s: &crate::sheet::blocks::Span| {
+fn spans(text: &Spans) -> String {
+    let one = |s: &Span| {
         let inner = if s.pieces.is_empty() { escaped(&s.text) } else { pieces(&s.pieces) };
         match (s.code, s.bold) {
             (true, _) => format!("<code>{inner}</code>"),

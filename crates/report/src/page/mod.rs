@@ -16,6 +16,7 @@ use crate::escaped::{escaped, inside_script};
 use crate::sheet::Sheet;
 use crate::words::Words;
 use bracket_base::diag::Diagnostics;
+use bracket_base::say;
 use content::Content;
 use scene::Scene;
 
@@ -48,7 +49,7 @@ pub fn page(
     content.report(sheet, view.then(|| viewer(scene, words)));
     let (body, contents) = content.finish();
     let title = escaped(&sheet.head.title);
-    let (language, aria) = (words.code(), escaped(&words.say("contents")));
+    let (language, aria) = (words.code(), escaped(&words.say(&"contents".into())));
     let mut page = format!(
         "<!DOCTYPE html>\n<html lang=\"{language}\">\n<head>\n<meta charset=\"utf-8\">\n<meta \
          http-equiv=\"Content-Security-Policy\" content=\"{POLICY}\">\n<meta name=\"viewport\" \
@@ -57,7 +58,7 @@ pub fn page(
          aria-label=\"{aria}\"><ul>\n{contents}</ul></nav>\n<main>\n{body}</main>\n</div>\n"
     );
     if view {
-        let json = serde_json::to_string(scene).map_err(|e| {
+        let json = scene.json(words).map_err(|e| {
             bracket_base::diag::Diagnostic::environment("report/page", format!("the 3-D view: {e}"))
         })?;
         let json = inside_script(&json);
@@ -73,14 +74,12 @@ pub fn page(
 fn viewer(scene: &Scene, words: &Words) -> String {
     let mut out = words.fill(VIEW);
     if !scene.left_out.is_empty() {
-        let cases = escaped(&scene.left_out.join(", "));
-        out.push_str(&format!(
-            "<p class=\"quiet\">{} {cases}</p>\n",
-            escaped(&words.say(
-                "Not in this view, which would become too large; ParaView opens them from the \
-                 folder fields:"
-            ))
-        ));
+        let left_out = say!(
+            "Not in this view, which would become too large; ParaView opens them from the folder \
+             fields: {}",
+            scene.left_out.join(", ")
+        );
+        out.push_str(&format!("<p class=\"quiet\">{}</p>\n", escaped(&words.say(&left_out))));
     }
     out
 }

@@ -9,6 +9,8 @@ use crate::draw::palette::{Groups, group_colour};
 use crate::result::result_file::ResultFile;
 use crate::words::Words;
 use bracket_base::math::vec3::V3;
+use bracket_base::say;
+use bracket_base::words::Text;
 use bracket_engine::mesh::TetMesh;
 use serde::Serialize;
 
@@ -51,7 +53,7 @@ pub struct Part {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fy: Option<f64>,
     /// What is known of it: load case, quantity, value.
-    pub facts: Vec<[String; 3]>,
+    pub facts: Vec<[Text; 3]>,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -108,7 +110,7 @@ pub struct View {
     /// Load case.
     pub case: String,
     /// What it shows.
-    pub title: String,
+    pub title: Text,
     /// Unit; empty for relative values.
     pub unit: String,
     /// Number of its shape.
@@ -137,7 +139,7 @@ pub struct View {
 #[derive(Clone, Debug)]
 pub struct Field<'a> {
     /// What it shows.
-    pub title: String,
+    pub title: Text,
     /// Unit; empty for relative values.
     pub unit: &'static str,
     /// Its values.
@@ -213,20 +215,23 @@ impl Scene {
         }
     }
 
-    /// Sets the titles of fields and the facts of parts in the language of `words`.
-    pub fn translate(&mut self, words: &Words) {
-        self.views.iter_mut().for_each(|v| v.title = words.say(&v.title));
-        let facts = self.parts.iter_mut().flat_map(|p| &mut p.facts);
-        facts.flatten().for_each(|text| *text = words.say(text));
+    /// The scene as JSON, with titles of fields and facts of parts in the language of `words`.
+    pub fn json(&self, words: &Words) -> serde_json::Result<String> {
+        let mut said = self.clone();
+        let say = |text: &mut Text| *text = Text::given(words.say(text));
+        said.views.iter_mut().for_each(|v| say(&mut v.title));
+        said.parts.iter_mut().flat_map(|p| &mut p.facts).flatten().for_each(say);
+        serde_json::to_string(&said)
     }
 
     /// Adds to the parts what the result knows of them: forces of bolts and of contacts.
     pub fn add_facts(&mut self, result: &ResultFile) {
         for case in &result.cases {
             let Some(forces) = &case.static_forces else { continue };
-            let kn = |force: f64| format!("{:.1} kN", 1e-3 * force);
-            let place = format!("{}, load factor {:.3}", case.name, forces.load_factor);
-            let mut add = |name: &str, what: String, value: String| {
+            let kn = |force: f64| Text::given(format!("{:.1} kN", 1e-3 * force));
+            let factor = format!("{:.3}", forces.load_factor);
+            let place = say!("{}, load factor {}", &case.name, factor);
+            let mut add = |name: &str, what: Text, value: Text| {
                 let part = self.parts.iter_mut().find(|p| p.name == name);
                 part.into_iter().for_each(|p| {
                     p.facts.push([place.clone(), what.clone(), value.clone()]);
@@ -239,7 +244,7 @@ impl Scene {
             for c in &forces.contacts {
                 let [a, b] = &c.between;
                 for (part, other) in [(a, b), (b, a)] {
-                    add(part, format!("compression from {other}"), kn(c.compression));
+                    add(part, say!("compression from {}", other), kn(c.compression));
                 }
             }
         }

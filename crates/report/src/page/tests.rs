@@ -1,6 +1,7 @@
 use super::*;
+use crate::document::picture::PictureRef;
 use crate::draw::options::Colours;
-use crate::markdown::report_data::{PictureRef, ReportData};
+use crate::markdown::report_data::ReportData;
 use crate::page::scene::{Field, Values};
 use crate::sheet::Extent;
 use crate::sheet::build::sheet;
@@ -31,7 +32,11 @@ fn texts_of_the_user_stay_text_and_pictures_are_inside() {
     let mut data = data();
     data.input.project.iter_mut().for_each(|l| l.1 = HOSTILE.into());
     data.input.drawings = ["drawing.svg", "gone.svg"]
-        .map(|file| PictureRef { file: file.into(), caption: HOSTILE.into() })
+        .map(|file| PictureRef {
+            file: file.into(),
+            caption: HOSTILE.into(),
+            ..PictureRef::default()
+        })
         .to_vec();
     data.input.text = HOSTILE.into();
     let mut scene = Scene::new(&[]);

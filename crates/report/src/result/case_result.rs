@@ -6,6 +6,8 @@ use crate::result::forces::StaticForces;
 use crate::result::history::HistoryRow;
 use crate::result::quantity::{FrictionModel, LoadSize, Quantity, RawBracket, Upper};
 use bracket_base::math::vec3;
+use bracket_base::say;
+use bracket_base::words::Text;
 use bracket_codes::verdict::Verdict;
 use bracket_codes::{HandChecks, JointStiffness};
 use bracket_engine::analysis::cone_shift::FixedPointRun;
@@ -114,7 +116,7 @@ pub struct CaseResult {
     pub peak_contact_pressure: Option<PeakPressure>,
     /// Warnings about this case.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Text>,
 }
 
 /// Share of a body in the dissipation of a mechanism.
@@ -264,25 +266,27 @@ impl CaseResult {
 impl CaseResult {
     /// How the last solve without a solution ended, that for the lower bound before that for the
     /// upper one: `time limit`.
-    pub fn ended_by(&self) -> Option<&str> {
+    pub fn ended_by(&self) -> Option<&Text> {
         let mut ended = self.history.iter().rev().flat_map(|row| {
             let runs = [&row.static_frictionless, &row.static_, &row.kinematic];
-            runs.into_iter().flatten().map(|r| r.status.as_str())
+            runs.into_iter().flatten().map(|r| &r.status)
         });
-        ended.find(|s| !SolveStatus::SOLUTIONS.iter().any(|status| status.words() == *s))
+        ended.find(|s| !SolveStatus::SOLUTIONS.iter().any(|status| **s == status.words()))
     }
 
     /// Which strict bound limit analysis did not give, as text with the reason; `None` where it
     /// gave a lower bound or proved that the loads can grow without limit.
-    pub fn lacking(&self) -> Option<String> {
+    pub fn lacking(&self) -> Option<Text> {
         let bounds = self.factor_bounds();
         let no_limit = matches!(self.upper, Some(Upper::Unbounded(_)));
         if bounds.0.is_some() || no_limit {
             return None;
         }
         let what = if bounds.1.is_some() { "lower bound" } else { "bound" };
-        let why = self.ended_by().map_or_else(String::new, |s| format!(" ({s})"));
-        Some(format!("limit analysis gave no {what}{why}"))
+        Some(match self.ended_by() {
+            Some(status) => say!("limit analysis gave no {} ({})", what, status),
+            None => say!("limit analysis gave no {}", what),
+        })
     }
 }
 
@@ -342,8 +346,9 @@ mod tests {
     /// A bound that is missing is named with the end of its solver.
     #[test]
     fn a_missing_bound_is_named_with_its_cause() {
-        let run =
-            |status: &str| Some(ProgramRun { status: status.into(), ..ProgramRun::default() });
+        let run = |status: &'static str| {
+            Some(ProgramRun { status: status.into(), ..ProgramRun::default() })
+        };
         let row = HistoryRow {
             kinematic: run("optimal"),
             static_: run("time limit"),
@@ -351,12 +356,12 @@ mod tests {
         };
         let of = |l, u| CaseResult { history: vec![row.clone()], ..limit_case(l, u) }.lacking();
         assert_eq!(
-            of(None, Some(1.2)).as_deref(),
+            of(None, Some(1.2)).map(|t| t.to_string()).as_deref(),
             Some("limit analysis gave no lower bound (time limit)")
         );
-        assert_eq!(of(None, None).as_deref(), Some("limit analysis gave no bound (time limit)"));
+        assert_eq!(of(None, None), Some("limit analysis gave no bound (time limit)".into()));
         assert_eq!(of(Some(0.9), None), None);
         let estimate = CaseResult { certificate: None, ..limit_case(Some(1.2), Some(1.3)) };
-        assert_eq!(estimate.lacking().as_deref(), Some("limit analysis gave no bound"));
+        assert_eq!(estimate.lacking(), Some("limit analysis gave no bound".into()));
     }
 }

@@ -1,5 +1,6 @@
 //! The demand of a load case, and the verdict on it.
 
+use bracket_base::words::Text;
 use bracket_codes::verdict::{Route, Verdict};
 use bracket_codes::{Comparison, Judgement};
 use bracket_joint::spec::loads::Action;
@@ -26,7 +27,7 @@ pub struct Demand {
     pub component_method: Vec<Comparison>,
     /// Reason why no lower bound decides: no rule of rotation capacity is satisfied.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub brittle: Option<String>,
+    pub brittle: Option<Text>,
 }
 
 impl Demand {

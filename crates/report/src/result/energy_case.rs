@@ -11,6 +11,8 @@ use crate::result::history::{self, HistoryRow, TraceRow};
 use crate::result::quantity::{FrictionModel, LoadSize, Quantity, Upper};
 use crate::result::refusal::refusal_words;
 use bracket_base::math::vec3;
+use bracket_base::say;
+use bracket_base::words::Text;
 use bracket_engine::analysis::energy_pass::EnergyPass;
 use bracket_engine::analysis::memory::peak_memory_mib;
 use bracket_engine::analysis::program_outcome::ProgramOutcome;
@@ -132,7 +134,7 @@ pub(crate) fn only_load(model: &AnalysisModel) -> Option<LoadSize> {
 }
 
 /// Warnings of the programs: reasons why one of them gave no bound.
-fn program_warnings(pass: &EnergyPass) -> Vec<String> {
+fn program_warnings(pass: &EnergyPass) -> Vec<Text> {
     // an admissible motion proves the reason; the status of the static program adds nothing
     if let Some(m) = pass.kinematic.as_ref().and_then(|r| r.mechanism.as_ref()) {
         let stands = pass.lower.as_ref().is_some_and(LowerBound::is_strict);
@@ -142,7 +144,7 @@ fn program_warnings(pass: &EnergyPass) -> Vec<String> {
              size (stiffness, loads or gaps)"
                 .into()
         } else {
-            format!("no equilibrium exists under these loads: {m}")
+            say!("no equilibrium exists under these loads: {}", m)
         }];
     }
     let mut warnings = Vec::new();
@@ -157,16 +159,19 @@ fn program_warnings(pass: &EnergyPass) -> Vec<String> {
             // the motion of the static program may only show that no stress field on this mesh is
             // in equilibrium
             (_, ProgramOutcome { mechanism: Some(m), .. }) => {
-                format!("no stress of this mesh is in equilibrium with the loads: {m}")
+                say!("no stress of this mesh is in equilibrium with the loads: {}", m)
             }
             (status, _) if status.is_solution() => continue,
-            (SolveStatus::Infeasible, ProgramOutcome { conflict: Some(c), .. }) => format!(
-                "the {name} program has no solution, so there is no {bound} bound: {c}; check \
-                 initial gaps and what holds the parts there, or refine the mesh there"
+            (SolveStatus::Infeasible, ProgramOutcome { conflict: Some(c), .. }) => say!(
+                "the {} program has no solution, so there is no {} bound: {}; check initial gaps \
+                 and what holds the parts there, or refine the mesh there",
+                name,
+                bound,
+                c
             ),
             _ if runs_away => continue,
             (status, _) => {
-                format!("the {name} program ended with status `{}`: no bound", status.words())
+                say!("the {} program ended with status `{}`: no bound", name, status.words())
             }
         });
     }
@@ -175,37 +180,48 @@ fn program_warnings(pass: &EnergyPass) -> Vec<String> {
 
 /// Reason why a program that was interrupted, refused, not certified or stopped by long tets gave
 /// no bound; `None` for every other reason.
-pub(crate) fn run_warning(name: &str, bound: &str, run: &ProgramOutcome) -> Option<String> {
+pub(crate) fn run_warning(
+    name: &'static str,
+    bound: &'static str,
+    run: &ProgramOutcome,
+) -> Option<Text> {
     Some(match (run.status, run) {
         (_, ProgramOutcome { trouble: Some(t), .. }) => {
-            format!("the {name} solution could not be certified: {t}")
+            say!("the {} solution could not be certified: {}", name, t)
         }
-        (status, ProgramOutcome { long_tets: Some(tets), .. }) => {
-            let status = status.words();
-            format!("the {name} program ended with status `{status}`: no {bound} bound; {tets}")
+        (status, ProgramOutcome { long_tets: Some(tets), .. }) => say!(
+            "the {} program ended with status `{}`: no {} bound; {}",
+            name,
+            status.words(),
+            bound,
+            tets
+        ),
+        (SolveStatus::Interrupted, ProgramOutcome { iterations: 0, .. }) => say!(
+            "the {} program was interrupted before its first iteration: no {} bound",
+            name,
+            bound
+        ),
+        (SolveStatus::Interrupted, ProgramOutcome { iterations: 1, .. }) => {
+            say!("the {} program was interrupted after 1 iteration: no {} bound", name, bound)
         }
-        (SolveStatus::Interrupted, ProgramOutcome { iterations: 0, .. }) => {
-            format!(
-                "the {name} program was interrupted before its first iteration: no {bound} bound"
-            )
-        }
-        (SolveStatus::Interrupted, run) => {
-            let n = run.iterations;
-            let s = if n == 1 { "" } else { "s" };
-            format!("the {name} program was interrupted after {n} iteration{s}: no {bound} bound")
-        }
-        (SolveStatus::TooLarge, ProgramOutcome { refusal: Some(r), .. }) => {
-            format!(
-                "the {name} program was not started, so there is no {bound} bound: it {}",
-                refusal_words(r)
-            )
-        }
+        (SolveStatus::Interrupted, run) => say!(
+            "the {} program was interrupted after {} iterations: no {} bound",
+            name,
+            run.iterations,
+            bound
+        ),
+        (SolveStatus::TooLarge, ProgramOutcome { refusal: Some(r), .. }) => say!(
+            "the {} program was not started, so there is no {} bound: it {}",
+            name,
+            bound,
+            refusal_words(r)
+        ),
         _ => return None,
     })
 }
 
 /// The warning for a certificate that is not strict.
-pub(crate) fn estimate_warning(certificate: Option<Certificate>) -> Option<String> {
+pub(crate) fn estimate_warning(certificate: Option<Certificate>) -> Option<Text> {
     let c = certificate.filter(|c| !c.strict)?;
     let worst = c
         .residuals()
@@ -213,9 +229,11 @@ pub(crate) fn estimate_warning(certificate: Option<Certificate>) -> Option<Strin
         .filter_map(|(n, _, v)| Some((n, v?)))
         .max_by(|a, b| a.1.total_cmp(&b.1));
     worst.map(|(residual, value)| {
-        format!(
-            "the numbers are estimates, not bounds: the {residual} residual is {value:.1e}, the \
-             tolerance {TOLERANCE:.0e}"
+        say!(
+            "the numbers are estimates, not bounds: the {} residual is {}, the tolerance {}",
+            residual,
+            format!("{value:.1e}"),
+            format!("{TOLERANCE:.0e}")
         )
     })
 }

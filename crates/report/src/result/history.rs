@@ -1,6 +1,7 @@
 //! The history in `result.json`: cost and result of each mesh.
 
 use crate::result::quantity::Upper;
+use bracket_base::words::Text;
 use serde::{Deserialize, Serialize};
 
 /// Cost and result of one mesh. Bounds apply to the whole structure, sizes to the meshed part.
@@ -93,7 +94,7 @@ pub struct ProgramRun {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub solves: Option<u32>,
     /// Status of the solver at its end.
-    pub status: String,
+    pub status: Text,
     /// Part of `seconds` spent in assembly \[s\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub assembly_seconds: Option<f64>,

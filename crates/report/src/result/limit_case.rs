@@ -14,6 +14,8 @@ use crate::result::energy_case::run_warning;
 use crate::result::energy_case::weld_uses;
 use crate::result::history::HistoryRow;
 use crate::result::quantity::{FrictionModel, Quantity, RawBracket, Upper};
+use bracket_base::say;
+use bracket_base::words::{Gap, Text};
 use bracket_engine::analysis::limit::{LimitPass, NO_LIMIT, SUBDIVISIONS};
 use bracket_engine::analysis::memory::peak_memory_mib;
 use bracket_engine::analysis::program::Program;
@@ -69,15 +71,15 @@ fn unbounded(run: Option<&ProgramOutcome>) -> bool {
 }
 
 /// Warnings of the programs: reasons why one of them gave no bound.
-fn program_warnings(pass: &LimitPass, problem: FrictionModel) -> Vec<String> {
+fn program_warnings(pass: &LimitPass, problem: FrictionModel) -> Vec<Text> {
     let runs = pass.runs().map(|(p, run)| {
         let bound = if p == Program::Static { "lower" } else { "upper" };
         (false, (p.name(), bound), run)
     });
     let without = pass.frictionless_run.as_ref();
     let without = without.map(|run| (true, ("frictionless static", "lower"), run));
-    let mut warnings: Vec<String> = Vec::new();
-    let mut warn = |text: String| {
+    let mut warnings: Vec<Text> = Vec::new();
+    let mut warn = |text: Text| {
         if !warnings.contains(&text) {
             warnings.push(text);
         }
@@ -87,36 +89,48 @@ fn program_warnings(pass: &LimitPass, problem: FrictionModel) -> Vec<String> {
             _ if run.trouble.is_some() => warn(run_warning(name, bound, run).unwrap_or_default()),
             status if status.is_solution() => {}
             SolveStatus::Infeasible if frictionless => {
-                warn(format!(
-                    "without friction {NO_LIMIT} (the solver says so, no certificate proves it)"
+                warn(say!(
+                    "without friction {} (the solver says so, no certificate proves it)",
+                    NO_LIMIT
                 ));
             }
-            SolveStatus::Infeasible => warn(format!(
-                "{NO_LIMIT} (the solver says so on this mesh, no certificate proves it); a load \
-                 that only presses the parts together or changes their volume does this"
+            SolveStatus::Infeasible => warn(say!(
+                "{} (the solver says so on this mesh, no certificate proves it); a load that only \
+                 presses the parts together or changes their volume does this",
+                NO_LIMIT
             )),
             SolveStatus::Unbounded => {
-                let parts = run.mechanism.as_ref().map_or(String::new(), |m| format!(": {m}"));
-                let without = if frictionless { "without friction " } else { "" };
-                warn(format!(
-                    "{without}the dead loads alone make it collapse{parts}; the load factor has \
-                     no lower bound"
-                ));
+                let parts = run.mechanism.as_ref().map_or_else(Text::default, |m| say!(": {}", m));
+                warn(match frictionless {
+                    true => say!(
+                        "without friction the dead loads alone make it collapse{}; the load \
+                         factor has no lower bound",
+                        parts
+                    ),
+                    false => say!(
+                        "the dead loads alone make it collapse{}; the load factor has no lower \
+                         bound",
+                        parts
+                    ),
+                });
             }
             status => warn(run_warning(name, bound, run).unwrap_or_else(|| {
-                format!(
-                    "the {name} program ended with status `{}`: no {bound} bound",
-                    status.words()
+                say!(
+                    "the {} program ended with status `{}`: no {} bound",
+                    name,
+                    status.words(),
+                    bound
                 )
             })),
         }
     }
     if let Some(parts) = &pass.moves {
-        warn(format!("the live loads move the structure freely: {parts}"));
+        warn(say!("the live loads move the structure freely: {}", parts));
     }
     if let Some(parts) = &pass.slides {
-        warn(format!(
-            "friction alone holds the structure, without it the load factor is 0: {parts}"
+        warn(say!(
+            "friction alone holds the structure, without it the load factor is 0: {}",
+            parts
         ));
     }
     let alone = pass.frictionless.is_none() && pass.lower.is_some();
@@ -129,15 +143,15 @@ fn program_warnings(pass: &LimitPass, problem: FrictionModel) -> Vec<String> {
 }
 
 /// Reason why there is no estimate under Coulomb's law although the model requests one.
-fn estimate_missing(model: &AnalysisModel, pass: &LimitPass) -> Option<String> {
+fn estimate_missing(model: &AnalysisModel, pass: &LimitPass) -> Option<Text> {
     let why = match &pass.coulomb_estimate {
-        Some(e) => e.trouble.clone()?,
+        Some(e) => Gap::from(e.trouble.clone()?),
         None if !model.coulomb_estimate || pass.unlimited.is_some() || pass.free.is_some() => {
             return None;
         }
         None => "the program with associated friction has no answer to begin with".into(),
     };
-    Some(format!("no estimate of the load factor under Coulomb's law by the fixed point: {why}"))
+    Some(say!("no estimate of the load factor under Coulomb's law by the fixed point: {}", why))
 }
 
 /// Shares in the dissipation of a mechanism.

@@ -16,6 +16,7 @@ pub use crate::result::quantity::{
     FrictionModel, LoadSize, Quantity, RawBracket, Unbounded, Upper,
 };
 use bracket_base::diag::Diagnostic;
+use bracket_base::words::Text;
 use bracket_codes::end_plate::MethodRecord;
 pub use bracket_codes::verdict::Verdict;
 use bracket_codes::{Check, Judgement};
@@ -68,7 +69,7 @@ pub struct ResultFile {
     pub polygon: Option<CapacityPolygon>,
     /// Warnings that belong to no single case.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Text>,
 }
 
 /// The program that wrote a result.

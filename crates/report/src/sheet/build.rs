@@ -1,20 +1,23 @@
 //! Fills the sheet from the data of the report.
 
-use super::blocks::{Block, Grid, plain, section, sentence};
 use super::derivation::derivation;
-use super::formula::{Piece, pieces};
 use super::head::{Head, Paper};
 use super::{
-    Bar, BarLabels, CaseAnswer, Extent, Section, Sheet, SummaryLine, TopicSheet, VerdictBox,
-    WorkedRow,
+    Bar, BarLabels, CaseAnswer, Extent, Picture, Section, Sheet, SummaryLine, TopicSheet,
+    VerdictBox, WorkedRow,
 };
+use crate::document::block::{Block, Grid};
+use crate::document::picture::PictureRef;
+use crate::document::symbols::{Piece, pieces};
+use crate::document::table::{Table, dash};
+use crate::document::{grid, section, spans};
 use crate::figures::{Rounding, significant};
 use crate::markdown::answer::answer;
 use crate::markdown::assumptions::assumptions;
 use crate::markdown::collapse::mechanism;
 use crate::markdown::demand::{ON_PLANES, actions};
 use crate::markdown::hand_checks::{TOPICS, place, status, value_of};
-use crate::markdown::report_data::{PictureRef, ReportData, ResolvedValue, Table};
+use crate::markdown::report_data::{ReportData, ResolvedValue};
 use crate::markdown::verdict::{next_step, parts};
 use crate::markdown::warnings::all_warnings;
 use crate::markdown::words::analysis_word;
@@ -25,6 +28,8 @@ use crate::markdown::{
 use crate::result::result_file::{CaseResult, Quantity, ResultFile, Upper};
 use crate::summary::{SummaryRow, Tone, summary_rows, used_words};
 use crate::words::Words;
+use bracket_base::say;
+use bracket_base::words::Text;
 use bracket_codes::end_plate::MethodRecord;
 use bracket_codes::verdict::Verdict;
 use bracket_codes::{Check, CheckId, Status, Unit};
@@ -43,28 +48,28 @@ pub fn sheet(data: &ReportData, words: &Words, extent: Extent, paper: Paper) -> 
     let project = block.into_iter().chain(others).collect();
     let hash = data.result.input_hash.clone();
     let (rows, note) = match full {
-        true => (summary_rows(&data.result), String::new()),
+        true => (summary_rows(&data.result), Text::default()),
         false => in_worst_case(summary_rows(&data.result)),
     };
-    let sentences = |all: Vec<String>| all.iter().map(|s| sentence(&words.say(s))).collect();
+    let sentences = |all: Vec<Text>| all.iter().map(|t| spans(words, t)).collect();
     Sheet {
         extent,
         head: Head::new(paper, title, project, words, &data.result.tool, hash),
         verdict: verdict(&data.result, words),
         drawings: captions(&data.input.drawings, words),
-        actions: grid(&actions(&data.result, &data.input.demands), words),
-        plane_actions: grid(&data.input.plane_actions, words),
-        plane_note: pieces(&words.say(ON_PLANES)),
+        actions: grid(words, &actions(&data.result, &data.input.demands)),
+        plane_actions: grid(words, &data.input.plane_actions),
+        plane_note: said(words, &ON_PLANES.into()),
         summary: rows.into_iter().map(|r| summary_line(r, words)).collect(),
-        summary_note: pieces(&words.say(&note)),
+        summary_note: said(words, &note),
         answers: data.result.cases.iter().map(|c| case_answer(c, data, words)).collect(),
-        frame: if full { Grid::default() } else { grid(&joint_values(&data.result.checks), words) },
+        frame: if full { Grid::default() } else { grid(words, &joint_values(&data.result.checks)) },
         method: method_section(&data.result.component_method, full, words),
         pictures: captions(&data.pictures, words),
         design_values: design_values(&data.input.resolved, words),
-        schedule: grid(&data.input.schedule, words),
-        welds: grid(&data.input.welds, words),
-        supports: grid(&data.input.supports, words),
+        schedule: grid(words, &data.input.schedule),
+        welds: grid(words, &data.input.welds),
+        supports: grid(words, &data.input.supports),
         warnings: sentences(all_warnings(data)),
         topics: if full { topics(&data.result.checks, words) } else { Vec::new() },
         assumptions: sentences(assumptions(data)),
@@ -80,32 +85,38 @@ fn joint_values(checks: &[Check]) -> Table {
     let row = |moment: &Check| {
         let value = |id: CheckId| {
             let found = Check::find(checks, id, &moment.subject);
-            let shown = found.and_then(|c| c.resistance.map(|v| c.unit.show(v)));
-            shown.unwrap_or_else(|| "–".into())
+            let shown = found.and_then(|c| c.resistance.map(|v| c.unit.show(v).into()));
+            shown.unwrap_or_else(dash)
         };
-        let ids = [CheckId::MomentResistance, CheckId::InitialStiffness, CheckId::ElasticStiffness];
-        std::iter::once(moment.subject.text()).chain(ids.map(value)).collect()
+        let [resistance, initial, elastic] =
+            [CheckId::MomentResistance, CheckId::InitialStiffness, CheckId::ElasticStiffness]
+                .map(value);
+        [moment.subject.text(), resistance, initial, elastic]
     };
-    Table {
-        columns: COLUMNS.map(String::from).into(),
-        rows: checks.iter().filter(|c| c.id() == CheckId::MomentResistance).map(row).collect(),
-    }
+    let moments = checks.iter().filter(|c| c.id() == CheckId::MomentResistance);
+    Table::new(COLUMNS, moments.map(row))
+}
+
+/// A text with its symbols, without styles.
+fn said(words: &Words, text: &Text) -> Vec<Piece> {
+    pieces(&words.say(text))
 }
 
 /// Of more than [`EVERY_CASE`] load cases each check in its worst one, with the note that says so.
-fn in_worst_case(mut rows: Vec<SummaryRow>) -> (Vec<SummaryRow>, String) {
-    let cases: BTreeSet<String> = rows.iter().map(|r| r.case.clone()).collect();
+fn in_worst_case(mut rows: Vec<SummaryRow>) -> (Vec<SummaryRow>, Text) {
+    let cases: BTreeSet<Text> = rows.iter().map(|r| r.case.clone()).collect();
     if cases.len() <= EVERY_CASE {
-        return (rows, String::new());
+        return (rows, Text::default());
     }
     let all = rows.len();
     let mut seen = BTreeSet::new();
     // the worst come first
     rows.retain(|r| r.governs || seen.insert((r.check.clone(), r.clause.clone())));
-    let note = format!(
-        "Each check in its worst load case: {} of {all} rows; report.html and the full report have \
+    let note = say!(
+        "Each check in its worst load case: {} of {} rows; report.html and the full report have \
          all.",
-        rows.len()
+        rows.len(),
+        all
     );
     (rows, note)
 }
@@ -117,67 +128,66 @@ const EVERY_CASE: usize = 4;
 fn method_section(records: &[MethodRecord], full: bool, words: &Words) -> Vec<Section> {
     let loaded = records.iter().any(|r| r.bends);
     let shown = records.iter().filter(|r| full || !loaded || r.bends);
-    titled([(method::TITLE, section(words, |page| method::senses(page, shown)))], words)
+    titled([(method::TITLE, section(words, |doc| method::senses(doc, shown)))], words)
 }
 
-fn summary_line(mut row: SummaryRow, words: &Words) -> SummaryLine {
-    for text in [&mut row.case, &mut row.demand, &mut row.resistance, &mut row.clause] {
-        *text = words.say(text);
+fn summary_line(row: SummaryRow, words: &Words) -> SummaryLine {
+    SummaryLine {
+        what: said(words, &row.check),
+        case: words.say(&row.case),
+        demand: row.demand,
+        resistance: row.resistance,
+        utilisation: row.utilisation,
+        clause: words.say(&row.clause),
+        status: words.say(&row.status),
+        tone: row.tone,
+        governs: row.governs,
     }
-    row.status = words.say(&row.status);
-    SummaryLine { what: pieces(&words.say(&row.check)), row }
 }
 
-fn captions(pictures: &[PictureRef], words: &Words) -> Vec<PictureRef> {
-    let one = |p: &PictureRef| PictureRef { caption: words.say(&p.caption), file: p.file.clone() };
+fn captions(pictures: &[PictureRef], words: &Words) -> Vec<Picture> {
+    let one = |p: &PictureRef| Picture { caption: words.say(&p.caption), file: p.file.clone() };
     pictures.iter().map(one).collect()
-}
-
-fn grid(table: &Table, words: &Words) -> Grid {
-    let number = |c: usize| {
-        let mut cells = table.rows.iter().filter_map(|r| r.get(c)).filter(|t| !t.is_empty());
-        cells.all(|t| t.starts_with(|l: char| l.is_ascii_digit() || "-−–".contains(l)))
-    };
-    Grid {
-        columns: table.columns.iter().map(|c| plain(words.say(c))).collect(),
-        right: (0..table.columns.len()).map(number).collect(),
-        rows: table.rows.iter().map(|r| r.iter().map(|c| plain(words.say(c))).collect()).collect(),
-    }
 }
 
 fn verdict(result: &ResultFile, words: &Words) -> VerdictBox {
     let tone = result.verdict.into();
     let Some(j) = &result.judgement else {
-        let word = words.say(result.verdict.words());
         let reason = match result.verdict {
             Verdict::NotOk => "A check that needs no load fails.",
             _ => "No load is a demand on the joint: only actions at member ends are.",
         };
-        let reason = pieces(&words.say(reason));
-        return VerdictBox { word, tone, reason, parts: Vec::new(), next: Vec::new() };
+        return VerdictBox {
+            word: words.say(&result.verdict.words().into()),
+            tone,
+            reason: said(words, &reason.into()),
+            parts: Vec::new(),
+            next: Vec::new(),
+        };
     };
-    let part = |(name, v, on): (&str, Verdict, String)| {
-        (words.say(name), words.say(v.words()), Tone::from(v), sentence(&words.say(&on)))
+    let part = |(name, v, on): (&'static str, Verdict, Text)| {
+        let [name, word] = [name, v.words()].map(|t| words.say(&t.into()));
+        (name, word, Tone::from(v), spans(words, &on))
     };
-    let next = |step: &str| sentence(&words.say(&format!("Next step: {step}.")));
+    let next = |step: &'static str| spans(words, &say!("Next step: {}.", step));
     VerdictBox {
-        word: words.say(j.words()),
+        word: words.say(&j.words().into()),
         tone,
-        reason: pieces(&words.say(&format!("{}.", j.reason))),
+        reason: said(words, &say!("{}.", &j.reason)),
         parts: parts(j, result).into_iter().map(part).collect(),
         next: next_step(result).map(next).unwrap_or_default(),
     }
 }
 
 fn case_answer(case: &CaseResult, data: &ReportData, words: &Words) -> CaseAnswer {
-    let blocks = section(words, |page| {
-        answer(page, case, data);
-        component_method::lines(page, case);
-        stiffness::lines(page, case);
-        forces::tables(page, case, data.result.symmetry);
+    let blocks = section(words, |doc| {
+        answer(doc, case, data);
+        component_method::lines(doc, case);
+        stiffness::lines(doc, case);
+        forces::tables(doc, case, data.result.symmetry);
     });
     CaseAnswer {
-        name: format!("{}, {}", case.name, words.say(analysis_word(case.analysis))),
+        name: words.say(&say!("{}, {}", &case.name, analysis_word(case.analysis))),
         bar: bar(case),
         blocks,
     }
@@ -216,16 +226,17 @@ fn design_values(resolved: &[ResolvedValue], words: &Words) -> Vec<(Vec<Piece>, 
             ));
         }
         let material = v.name.strip_prefix("materials.")?.strip_suffix(".fy")?;
-        Some((pieces("f_y"), words.say(material), value(v)))
+        Some((pieces("f_y"), words.say(&Text::given(material)), value(v)))
     };
     resolved.iter().filter_map(one).collect()
 }
 
 fn topics(checks: &[Check], words: &Words) -> Vec<TopicSheet> {
-    let of = |(topic, title, about): &(bracket_codes::Topic, &str, &str)| {
+    let of = |(topic, title, about): &(bracket_codes::Topic, &'static str, &'static str)| {
         let mine: Vec<&Check> = checks.iter().filter(|c| c.topic == *topic).collect();
         let rows = mine.into_iter().map(|c| worked(c, words)).collect::<Vec<_>>();
-        let sheet = TopicSheet { title: words.say(title), words: pieces(&words.say(about)), rows };
+        let (title, words) = (words.say(&(*title).into()), said(words, &(*about).into()));
+        let sheet = TopicSheet { title, words, rows };
         (!sheet.rows.is_empty()).then_some(sheet)
     };
     TOPICS.iter().filter_map(of).collect()
@@ -240,16 +251,16 @@ fn worked(c: &Check, words: &Words) -> WorkedRow {
     };
     WorkedRow {
         of: words.say(&place(c)),
-        check: pieces(&words.say(&c.title.text())),
+        check: said(words, &c.title.text()),
         formula: derivation(&c.derivation, words),
         values: ratio(c)
             .into_iter()
-            .chain(c.values.iter().map(|s| words.say(&value_of(s))))
             .map(|s| pieces(&s))
+            .chain(c.values.iter().map(|s| said(words, &value_of(s))))
             .collect(),
         clause: words.say(&c.clause),
         utilisation: used_words(c),
-        status: words.say(status(c)),
+        status: words.say(&status(c).into()),
         tone,
     }
 }
@@ -261,36 +272,36 @@ fn ratio(c: &Check) -> Option<String> {
     }
     let [demand, resistance] = [c.demand?, c.resistance?].map(|v| c.unit.show(v));
     let used = used_words(c);
-    let formula = c.formula();
+    let formula = c.formula().to_string();
     let said = formula.contains(&demand) && formula.contains(&resistance);
     (!said).then(|| format!("E_d / R_d = {demand} / {resistance} = {used}"))
 }
 
 /// The sections with a text, in the language of `words`.
-fn titled<const N: usize>(all: [(&str, Vec<Block>); N], words: &Words) -> Vec<Section> {
+fn titled<const N: usize>(all: [(&'static str, Vec<Block>); N], words: &Words) -> Vec<Section> {
     let some = all.into_iter().filter(|(_, blocks)| !blocks.is_empty());
-    some.map(|(title, blocks)| Section { title: words.say(title), blocks }).collect()
+    some.map(|(title, blocks)| Section { title: words.say(&title.into()), blocks }).collect()
 }
 
 fn analysis_sections(data: &ReportData, words: &Words) -> Vec<Section> {
     let cases = || data.result.cases.iter();
-    let polygon = section(words, |page| polygon::section(page, &data.result));
-    let collapse = section(words, |page| {
+    let polygon = section(words, |doc| polygon::section(doc, &data.result));
+    let collapse = section(words, |doc| {
         cases().for_each(|c| {
-            mechanism(page, c);
-            yielding(page, c);
+            mechanism(doc, c);
+            yielding(doc, c);
         });
     });
     let (mut meshes, mut certificate) = (Vec::new(), Vec::new());
     if !data.result.cases.is_empty() {
-        meshes = section(words, |page| {
+        meshes = section(words, |doc| {
             let run = cases().filter(|c| !c.history.is_empty());
-            run.for_each(|c| history::history(page, c, data.result.symmetry));
+            run.for_each(|c| history::history(doc, c, data.result.symmetry));
         });
         if !data.mesh_quality.rows.is_empty() {
-            meshes.insert(0, Block::Table { table: grid(&data.mesh_quality, words) });
+            meshes.insert(0, Block::Table { table: grid(words, &data.mesh_quality) });
         }
-        certificate = section(words, |page| certificate::certificates(page, data));
+        certificate = section(words, |doc| certificate::certificates(doc, data));
     }
     let all = [
         ("Capacity for two actions", polygon),
@@ -302,7 +313,7 @@ fn analysis_sections(data: &ReportData, words: &Words) -> Vec<Section> {
 }
 
 fn input_sections(data: &ReportData, words: &Words) -> Vec<Section> {
-    let values = section(words, |page| input::values(page, data));
+    let values = section(words, |doc| input::values(doc, data));
     let input = vec![Block::Code { text: data.input.text.clone() }];
     let all =
         [("Resolved values, catalogue rows and notes", values), ("Input file as given", input)];

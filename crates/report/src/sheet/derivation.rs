@@ -1,6 +1,6 @@
 //! Derivations of checks as pieces, with the fractions of their formulas.
 
-use super::formula::{Piece, pieces};
+use crate::document::symbols::{Piece, pieces};
 use crate::words::Words;
 use bracket_codes::formula::{Derivation, Line, Run};
 

@@ -1,7 +1,9 @@
 //! What stands at the head and foot of every page of a printed report.
 
+use crate::markdown::title::project_word;
 use crate::result::result_file::Tool;
 use crate::words::Words;
+use bracket_base::say;
 use serde::Serialize;
 
 /// Size of the paper.
@@ -55,7 +57,7 @@ impl Head {
         let value = |name: &str| {
             project.iter().find(|(n, v)| n == name && v != Self::OPEN).map(|(_, v)| v.as_str())
         };
-        let revision = value("revision").map(|r| format!("{} {r}", words.say("revision")));
+        let revision = value("revision").map(|r| words.say(&say!("revision {}", r.to_owned())));
         let by = [value("author"), value("checker")].into_iter().flatten().collect::<Vec<_>>();
         let by = Some(by.join(" / ")).filter(|names| !names.is_empty());
         let running =
@@ -76,7 +78,10 @@ impl Head {
 
 /// Name of a line of the title block.
 fn label(name: &str, words: &Words) -> String {
-    words.say(if name == "number" { "project number" } else { name })
+    words.say(&match name {
+        "number" => "project number".into(),
+        other => project_word(other),
+    })
 }
 
 /// Year, month and day of `2026-11-23` or `23.11.2026`.

@@ -1,17 +1,14 @@
 //! The printed report as plain data: what stands on its pages, in the order of the pages, without a
 //! layout.
 
-pub mod blocks;
 pub mod build;
 pub mod derivation;
-pub mod formula;
 pub mod head;
 pub mod sweep;
 
-use crate::markdown::report_data::PictureRef;
-use crate::summary::{SummaryRow, Tone};
-use blocks::{Block, Grid, Text};
-use formula::Piece;
+use crate::document::block::{Block, Grid, Spans};
+use crate::document::symbols::Piece;
+use crate::summary::Tone;
 use head::Head;
 use serde::Serialize;
 
@@ -38,9 +35,9 @@ pub struct VerdictBox {
     /// Reason, in a sentence.
     pub reason: Vec<Piece>,
     /// By code and by analysis: name, word, colour and what it stands on.
-    pub parts: Vec<(String, String, Tone, Text)>,
+    pub parts: Vec<(String, String, Tone, Spans)>,
     /// What brings the user further; empty where nothing is left to do.
-    pub next: Text,
+    pub next: Spans,
 }
 
 /// The bracket of a load factor on an axis. Numbers are load factors.
@@ -67,6 +64,15 @@ pub struct BarLabels {
     pub method: Option<String>,
 }
 
+/// A picture of the result folder.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Picture {
+    /// File name, relative to the folder.
+    pub file: String,
+    /// Caption.
+    pub caption: String,
+}
+
 /// The bounds of a load case.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct CaseAnswer {
@@ -79,13 +85,26 @@ pub struct CaseAnswer {
 }
 
 /// A row of the summary of checks.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct SummaryLine {
     /// Check and place.
     pub what: Vec<Piece>,
-    /// Its cells.
-    #[serde(flatten)]
-    pub row: SummaryRow,
+    /// Load case, or `all`.
+    pub case: String,
+    /// Demand with its unit.
+    pub demand: String,
+    /// Resistance with its unit.
+    pub resistance: String,
+    /// Demand over resistance.
+    pub utilisation: String,
+    /// Clause.
+    pub clause: String,
+    /// Status.
+    pub status: String,
+    /// Its colour.
+    pub tone: Tone,
+    /// True for a row that governs.
+    pub governs: bool,
 }
 
 /// A check with its numbers.
@@ -140,7 +159,7 @@ pub struct Sheet {
     /// Verdict.
     pub verdict: VerdictBox,
     /// Drawings of the joint and of its actions.
-    pub drawings: Vec<PictureRef>,
+    pub drawings: Vec<Picture>,
     /// Actions of the load cases, with what the joint carries.
     pub actions: Grid,
     /// Actions at the bolt planes; empty where they are given there.
@@ -159,7 +178,7 @@ pub struct Sheet {
     /// load cases.
     pub method: Vec<Section>,
     /// Pictures of mesh and mechanism.
-    pub pictures: Vec<PictureRef>,
+    pub pictures: Vec<Picture>,
     /// Partial factors and strengths: symbol, of what, value.
     pub design_values: Vec<(Vec<Piece>, String, String)>,
     /// Bolts, plates and masses.
@@ -169,11 +188,11 @@ pub struct Sheet {
     /// Supports of the model.
     pub supports: Grid,
     /// Warnings.
-    pub warnings: Vec<Text>,
+    pub warnings: Vec<Spans>,
     /// Checks with their numbers; empty in the short report.
     pub topics: Vec<TopicSheet>,
     /// Assumptions and limits.
-    pub assumptions: Vec<Text>,
+    pub assumptions: Vec<Spans>,
     /// Sections on the analyses in the full report: mechanism, meshes, certificate.
     pub analysis: Vec<Section>,
     /// Values and input in the full report.

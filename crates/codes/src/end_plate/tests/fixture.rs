@@ -17,11 +17,16 @@ pub(super) const TEMPLATE: &str =
 pub(super) fn of_spec(text: &str, base: &Path) -> Result<HandChecks, Diagnostics> {
     let spec = yaml::parse::<ConnectionSpec>(text, Path::new("joint.yaml"))?;
     let joint = build(&spec, base, &Catalog::builtin().expect("the shipped catalogue is sound"))?;
-    Ok(joint.facts.as_ref().map(|Facts::EndPlate(e)| hand_checks(e)).unwrap_or_default())
+    Ok(joint.facts.as_ref().and_then(Facts::end_plate).map(hand_checks).unwrap_or_default())
 }
 
 pub(super) fn checks(text: &str) -> HandChecks {
     of_spec(text, Path::new(".")).unwrap_or_else(|faults| panic!("{faults:#?}"))
+}
+
+/// The notes in English.
+pub(super) fn notes(h: &HandChecks) -> Vec<String> {
+    h.notes.iter().map(ToString::to_string).collect()
 }
 
 /// The paper's spec with one piece of text replaced.
@@ -31,8 +36,10 @@ pub(super) fn with(old: &str, new: &str) -> String {
 }
 
 pub(super) fn find<'a>(h: &'a HandChecks, subject: &str, title: &str) -> &'a Check {
-    let found =
-        h.checks.iter().find(|c| c.subject.text().starts_with(subject) && c.id().title() == title);
+    let found = h
+        .checks
+        .iter()
+        .find(|c| c.subject.to_string().starts_with(subject) && c.id().title() == title);
     found.unwrap_or_else(|| panic!("no `{title}` of `{subject}` in {:#?}", h.checks))
 }
 

@@ -44,7 +44,7 @@ fn clause_4_5_3_2_web_weld_beside_the_rows_in_tension() {
         (h, check)
     };
     let (h, check) = of(40.0, -40.0);
-    assert!(check.subject.text().ends_with("row at z = 90 mm"), "{check:#?}");
+    assert!(check.subject.to_string().ends_with("row at z = 90 mm"), "{check:#?}");
     let row = find(&h, "tension at the top, row 2 at z = 90", "tension resistance of a row");
     let share = used(find(&h, "beam_right", "moment and axial force of the joint"));
     let force = share * row.resistance.unwrap_or(f64::NAN);
@@ -57,7 +57,10 @@ fn clause_4_5_3_2_web_weld_beside_the_rows_in_tension() {
     let [one, four, ten] = [40.0, 160.0, 400.0].map(|my| used(&of(my, 0.0).1));
     near(four, 4.0 * one, 1e-9);
     near(ten, 3.2773 / 4.0, 1e-4);
-    assert!(10.0 * one > 1.0 && of(400.0, 0.0).1.formula().contains("goes through the flange"));
+    assert!(
+        10.0 * one > 1.0
+            && of(400.0, 0.0).1.formula().to_string().contains("goes through the flange")
+    );
     // a weaker weld than the web fails
     let load = "{name: A, end: beam_right, at: bolt_plane, My: 400 kN m}";
     let weak = checks(&joint("flange_weld: 6, web_weld: 3", load));
@@ -83,7 +86,7 @@ fn clause_6_2_3_4_welds_are_not_the_weakest() {
     };
     let top = find(&h, "beam flange, tension at the top", title);
     near(top.resistance.unwrap_or(f64::NAN), 377.2e3, 1e-4);
-    assert!(top.formula().contains("of full strength"), "{top:#?}");
+    assert!(top.formula().to_string().contains("of full strength"), "{top:#?}");
     let four = checks(&joint("flange_weld: 4, web_weld: 4", load));
     near(
         find(&four, "beam flange, tension at the top", title).resistance.unwrap_or(f64::NAN),
@@ -106,13 +109,15 @@ fn clause_6_2_3_4_welds_are_not_the_weakest() {
     let butt = loaded(load);
     let check = find(&butt, "beam flange, tension at the top", title);
     assert!(
-        check.status == Status::Information && check.formula().contains("full penetration"),
+        check.status == Status::Information
+            && check.formula().to_string().contains("full penetration"),
         "{check:#?}"
     );
     let check =
         find(&butt, "beam web, tension at the top", "web weld no weaker than the rows in tension");
     assert!(
-        check.status == Status::Information && check.formula().contains("full penetration"),
+        check.status == Status::Information
+            && check.formula().to_string().contains("full penetration"),
         "{check:#?}"
     );
     // web welds of 3 mm: F/(2 √2 a b_eff) of the rows at F_tr,Rd, all else as under a load without
@@ -163,7 +168,8 @@ fn clause_6_2_6_2_stiffeners_on_their_net_section() {
     let check = of(&h);
     near(check.resistance.unwrap_or(f64::NAN), 364.6e3 + 331.5e3, 1e-3);
     let rows = h.checks.iter().filter(|c| {
-        c.subject.text().starts_with("tension at the top, row") && c.id() == CheckId::RowTension
+        c.subject.to_string().starts_with("tension at the top, row")
+            && c.id() == CheckId::RowTension
     });
     let sum: f64 = rows.filter_map(|c| c.resistance).sum();
     let share = used(find(&h, "beam_right", "moment and axial force of the joint"));
@@ -234,7 +240,7 @@ fn clause_4_5_3_3_welds_of_stiffeners() {
     let web = h
         .checks
         .iter()
-        .find(|c| c.id().title() == title && c.subject.text().ends_with("to the column web"))
+        .find(|c| c.id().title() == title && c.subject.to_string().ends_with("to the column web"))
         .expect("web");
     near(web.resistance.unwrap_or(f64::NAN), 385.8e3, 1e-3);
     // equal moments on both sides balance: the web's welds have nothing to carry
@@ -243,7 +249,7 @@ fn clause_4_5_3_3_welds_of_stiffeners() {
     let web = h
         .checks
         .iter()
-        .find(|c| c.id().title() == title && c.subject.text().ends_with("to the column web"))
+        .find(|c| c.id().title() == title && c.subject.to_string().ends_with("to the column web"))
         .expect("web");
     assert_eq!((web.demand, web.status), (Some(0.0), Status::Ok));
     let thin = checks(&joint("stiffener_weld: 2", ONE));
@@ -274,9 +280,8 @@ fn the_list_of_welds_has_every_seam() {
     assert_eq!(seams(&butt), want.map(|(n, l)| (n, Some(l))));
     assert!(butt.iter().all(|i| i.mass().is_none()));
     let more = list("doubler: true, doubler_weld: 7, rib: true, rib_weld: 4");
-    let places: Vec<&str> = more.iter().map(|i| i.place.as_str()).collect();
     for place in ["web doubler, all round", "rib to end plate", "rib to beam flange"] {
-        assert!(places.contains(&place), "{places:?}");
+        assert!(more.iter().any(|i| i.place == place), "{more:#?}");
     }
 }
 

@@ -20,6 +20,7 @@ use crate::recover::elastic::RecoverError;
 use crate::recover::moving_parts::mechanism;
 use crate::recover::plastic::{approximate_stress, plastic_motion, yielding_stress};
 use crate::solve::{Patterns, Solution, SolveOptions};
+use bracket_base::words::Text;
 
 /// Residual of a stress in equilibrium up to rounding.
 pub(super) const ROUNDING: f64 = 2e-13;
@@ -57,16 +58,16 @@ pub(super) struct Recovered<F, B> {
     pub(super) hidden: f64,
 }
 
-/// The bodies that flow along an unbounded direction, and the motion of the parts, as text. `own`:
-/// index of the first unknown of each element's own; `points`: number of yield points of an element
-/// that has some.
+/// The bodies that flow along an unbounded direction, and the motion of the parts. `own`: index of
+/// the first unknown of each element's own; `points`: number of yield points of an element that has
+/// some.
 fn collapse(
     model: &AnalysisModel,
     own: &[usize],
     points: impl Fn(usize) -> usize,
     multipliers: &[f64],
-    motion: String,
-) -> String {
+    motion: Text,
+) -> Text {
     let mut flow = vec![0.0; model.mesh.bodies.len()];
     // the welds' own unknowns follow those of the tets
     let tets = model.mesh.tets.len();
@@ -75,7 +76,7 @@ fn collapse(
         flow[model.mesh.tet_body[e] as usize] += dissipated.by_ref().take(points(e)).sum::<f64>();
     }
     match diagnosis::plastic_flow(model, &flow) {
-        Some(flows) => format!("{flows}; {motion}"),
+        Some(flows) => Text::joined("; ", [flows, motion]),
         None => motion,
     }
 }
@@ -165,7 +166,7 @@ impl DiscreteProgram for HenckyKinematic {
         Ok(Recovered { certified, used, beyond, hidden: 0.0 })
     }
 
-    fn mechanism(&self, model: &AnalysisModel, solution: &Solution) -> String {
+    fn mechanism(&self, model: &AnalysisModel, solution: &Solution) -> Text {
         let k = &self.kinematic;
         let points = |e: usize| if k.split[e] { 16 } else { 4 };
         let rest = solution.z.get(k.program.g.nrows()..).unwrap_or_default();
@@ -221,7 +222,7 @@ impl<'a> DiscreteProgram for HenckyStatic<'a> {
         Ok(Recovered { certified: Some((field, bound)), used, beyond: 0.0, hidden: 0.0 })
     }
 
-    fn mechanism(&self, model: &AnalysisModel, solution: &Solution) -> String {
+    fn mechanism(&self, model: &AnalysisModel, solution: &Solution) -> Text {
         let s = &self.statics;
         let rest = solution.z.get(s.program.g.nrows()..).unwrap_or_default();
         let motion = mechanism(model, s.motion(model, &solution.x));

@@ -10,6 +10,7 @@ use crate::certify::measures::largest;
 use crate::mesh::numbering::FaceNumbering;
 use crate::model::AnalysisModel;
 use crate::solve::SolveStatus;
+use bracket_base::say;
 
 /// Utilisation by the elastic stress from which a tet gets a yield condition.
 const FIRST: f64 = 0.6;
@@ -215,7 +216,8 @@ impl StaticSide {
             self.margin = (4.0 * self.margin).max(4.0 * over);
             if self.margin > MARGIN[1] {
                 self.done = true;
-                let words = format!("its stress exceeds the yield strength by {over:.1e} of it");
+                let over = format!("{over:.1e}");
+                let words = say!("its stress exceeds the yield strength by {} of it", over);
                 self.outcome.iter_mut().for_each(|o| o.trouble = Some(words.clone()));
             }
             return;

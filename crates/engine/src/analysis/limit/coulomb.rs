@@ -30,6 +30,8 @@ use crate::programs::Kinematic;
 use crate::recover::elastic::RecoverError;
 use crate::solve::{Patterns, Solution, SolveOptions, SolveStatus};
 use bracket_base::math::vec3::V3;
+use bracket_base::say;
+use bracket_base::words::Text;
 
 /// The estimate with the convergence of its fixed point.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -45,8 +47,8 @@ pub struct CoulombEstimate {
     pub run: FixedPointRun,
     /// Iterations of all solves.
     pub iterations: u32,
-    /// Why there is no load factor, as text.
-    pub trouble: Option<String>,
+    /// Why there is no load factor.
+    pub trouble: Option<Text>,
 }
 
 /// The kinematic program of limit analysis with shifted cones.
@@ -130,8 +132,8 @@ pub(crate) fn estimate(
     let iterations = finished.outcome.iterations;
     let Some(FixedPointFactor { factor, raw, run, converged }) = finished.answer else {
         let words = match finished.outcome.status {
-            SolveStatus::TooLarge => "its problems do not fit into the memory".to_owned(),
-            status => format!("one of its problems ended with status `{}`", status.words()),
+            SolveStatus::TooLarge => "its problems do not fit into the memory".into(),
+            status => say!("one of its problems ended with status `{}`", status.words()),
         };
         return Ok(CoulombEstimate {
             trouble: Some(words),
@@ -140,7 +142,7 @@ pub(crate) fn estimate(
         });
     };
     if !converged {
-        let words = format!("it was not reached in {} problems", run.solves);
+        let words = say!("it was not reached in {} problems", run.solves);
         return Ok(CoulombEstimate {
             run,
             iterations,

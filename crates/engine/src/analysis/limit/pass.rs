@@ -14,6 +14,8 @@ use crate::certify::velocity_field::VelocityField;
 use crate::certify::{FactorBracket, LowerFactor, UpperFactor};
 use crate::model::AnalysisModel;
 use bracket_base::math::vec3::V3;
+use bracket_base::say;
+use bracket_base::words::Text;
 
 /// How far an estimate may lie beyond a bound, over the bound: the open error of the fixed point
 /// and of the quadrature of the dissipation (measured on coarse stacks of blocks: up to 0.3 %).
@@ -43,9 +45,9 @@ pub struct LimitPass {
     pub frictionless_run: Option<ProgramOutcome>,
     /// Stresses at the lower bound without friction.
     pub frictionless_stress: Option<StressField>,
-    /// For a structure that only friction holds against its loads: the parts that slide, as text.
-    /// Its load factor without friction is 0.
-    pub slides: Option<String>,
+    /// For a structure that only friction holds against its loads: the parts that slide. Its load
+    /// factor without friction is 0.
+    pub slides: Option<Text>,
     /// The lower bound without friction and the upper one with associated friction: the bracket
     /// under Coulomb's law.
     pub coulomb: Option<FactorBracket>,
@@ -56,8 +58,8 @@ pub struct LimitPass {
     /// A mechanism at zero load. No program was solved then; `lower` is zero, with no stress at all
     /// or with that of the dead loads.
     pub free: Option<FreeMechanism>,
-    /// The parts that the mechanism at zero load moves, as text.
-    pub moves: Option<String>,
+    /// The parts that the mechanism at zero load moves.
+    pub moves: Option<Text>,
     /// Contributions to the gap of the reported bracket; under Coulomb's law that with the bound
     /// without friction.
     pub contributions: Option<Contributions>,
@@ -139,7 +141,8 @@ impl LimitPass {
             self.upper.as_ref().filter(|u| u.is_strict()).map_or(f64::INFINITY, UpperFactor::value);
         let moved = factor.max(low).min(up);
         if (factor - moved).abs() > OPEN * moved.abs() {
-            let trouble = format!("it ended at {factor:.4}, beyond the bound {moved:.4}");
+            let [factor, moved] = [factor, moved].map(|f| format!("{f:.4}"));
+            let trouble = say!("it ended at {}, beyond the bound {}", factor, moved);
             return CoulombEstimate { factor: None, trouble: Some(trouble), ..found };
         }
         CoulombEstimate { factor: Some(moved), ..found }

@@ -12,6 +12,8 @@ use crate::recover::limit_lower::{self, ApproximateStress, LowerError};
 use crate::recover::limit_upper::{self, UpperError};
 use crate::solve::{self, Patterns, Solution, SolveOptions};
 use bracket_base::math::vec3::V3;
+use bracket_base::say;
+use bracket_base::words::Text;
 
 /// Halvings of the tets on which the dissipation of the final velocities is evaluated; a repetition
 /// of the certificate must use the same number.
@@ -75,12 +77,12 @@ impl DiscreteProgram for LimitKinematic {
         let upper =
             limit_upper::project(model, &field, SUBDIVISIONS, patterns).map_err(|e| match e {
                 UpperError::Recover(e) => e,
-                e => RecoverError::Factor(e.to_string()),
+                e => RecoverError::Factor(e.text()),
             })?;
         Ok((upper.field, UpperFactor::new(upper.certificate)))
     }
 
-    fn conflict(&self, _: &AnalysisModel, _: &[f64]) -> Option<String> {
+    fn conflict(&self, _: &AnalysisModel, _: &[f64]) -> Option<Text> {
         Some(NO_LIMIT.into())
     }
 }
@@ -133,7 +135,7 @@ impl<'a> DiscreteProgram for LimitStatic<'a> {
         })
     }
 
-    fn conflict(&self, _: &AnalysisModel, _: &[f64]) -> Option<String> {
+    fn conflict(&self, _: &AnalysisModel, _: &[f64]) -> Option<Text> {
         Some(NO_LIMIT.into())
     }
 }
@@ -141,7 +143,7 @@ impl<'a> DiscreteProgram for LimitStatic<'a> {
 fn recover_error(e: LowerError) -> RecoverError {
     match e {
         LowerError::Recover(e) => e,
-        e => RecoverError::Factor(e.to_string()),
+        e => RecoverError::Factor(e.text()),
     }
 }
 
@@ -158,8 +160,9 @@ pub(super) fn dead_stress(
         let solution = solve::solve(&statics.program, &statics.map.block, &options);
         if !solution.status.is_solution() {
             let status = solution.status.words();
-            return Err(RecoverError::Factor(format!(
-                "the dead loads alone have no certified equilibrium ({status})"
+            return Err(RecoverError::Factor(say!(
+                "the dead loads alone have no certified equilibrium ({})",
+                status
             )));
         }
         let parameters = statics.parameters(&solution.x)?;

@@ -12,9 +12,10 @@ use crate::recover::elastic::RecoverError;
 use crate::recover::moving_parts::mechanism;
 use crate::recover::{free_mechanism, unlimited};
 use crate::solve::Patterns;
+use bracket_base::words::Text;
 
-/// The parts that velocities move, as text.
-pub(super) fn moving_parts(model: &AnalysisModel, field: &VelocityField) -> String {
+/// The parts that velocities move.
+pub(super) fn moving_parts(model: &AnalysisModel, field: &VelocityField) -> Text {
     mechanism(model, model.node_parts().into_iter().zip(field.nodes.u.iter().copied()))
 }
 

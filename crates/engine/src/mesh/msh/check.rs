@@ -7,6 +7,8 @@ use crate::mesh::quality::{FLAT_VOLUME, longest_edge};
 use crate::mesh::tet::signed_volume;
 use crate::mesh::topology::{FaceTable, sorted};
 use crate::mesh::{NamedFaces, TetMesh};
+use bracket_base::say;
+use bracket_base::words::Text;
 use std::collections::{BTreeMap, HashMap};
 use std::path::Path;
 
@@ -16,7 +18,7 @@ pub(super) fn finish(
     raw: Raw,
     file: &Path,
     flat_too: bool,
-) -> Result<(TetMesh, Vec<String>), MeshError> {
+) -> Result<(TetMesh, Vec<Text>), MeshError> {
     let at = |line| MshPlace { file: file.to_path_buf(), line };
     if raw.tets.is_empty() {
         return Err(MeshError::NoTets { at: at(0) });
@@ -86,8 +88,9 @@ pub(super) fn finish(
 
     let mut notes = Vec::new();
     if turned > 0 {
-        notes.push(format!(
-            "{turned} of {} tetrahedra had the opposite node order and were turned",
+        notes.push(say!(
+            "{} of {} tetrahedra had the opposite node order and were turned",
+            turned,
             mesh.tets.len()
         ));
     }

@@ -8,6 +8,7 @@ use crate::mesh::topology::face_nodes;
 use crate::model::analysis::{BoundaryFace, GroundContact, RigidFace, Support};
 use crate::model::file::{Axis, Law, ModelFile};
 use bracket_base::math::rigid_motion::rigid_displacement;
+use bracket_base::words::Text;
 use std::collections::BTreeMap;
 
 const AXES: [&str; 3] = ["x", "y", "z"];
@@ -31,7 +32,7 @@ pub(super) fn supports(
     scene: &Scene<'_>,
     claims: &Claims,
     faults: &mut Faults<'_>,
-    notes: &mut Vec<String>,
+    notes: &mut Vec<Text>,
 ) -> (Vec<Support>, Vec<GroundContact>) {
     let (mut supports, mut ground) = (Vec::new(), Vec::new());
     for (i, entry) in file.supports.iter().enumerate() {

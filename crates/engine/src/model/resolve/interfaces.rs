@@ -9,13 +9,15 @@ use crate::model::FrictionLaw;
 use crate::model::analysis::{ContactLaw, FacePair, Interface, Weld};
 use crate::model::file::{Gap, InterfaceEntry, Law, ModelFile};
 use bracket_base::diag::number;
+use bracket_base::say;
+use bracket_base::words::Text;
 
 /// Reads all entries.
 pub(super) fn claim(
     file: &ModelFile,
     scene: &Scene<'_>,
     faults: &mut Faults<'_>,
-    notes: &mut Vec<String>,
+    notes: &mut Vec<Text>,
 ) -> Claims {
     let mut claims = Claims::default();
     for (i, entry) in file.interfaces.iter().enumerate() {
@@ -153,7 +155,7 @@ fn read_law(
     entry: &InterfaceEntry,
     path: &str,
     faults: &mut Faults<'_>,
-    notes: &mut Vec<String>,
+    notes: &mut Vec<Text>,
 ) -> Option<OpenLaw> {
     let contact_keys = [
         ("mu", entry.mu.is_some()),
@@ -250,7 +252,7 @@ pub(super) fn contact_law(
     friction: Option<FrictionLaw>,
     path: &str,
     faults: &mut Faults<'_>,
-    notes: &mut Vec<String>,
+    notes: &mut Vec<Text>,
 ) -> Option<ContactLaw> {
     let Some(mu) = mu else {
         let help = "write `mu: 0.3`, or `mu: 0` for a frictionless contact";
@@ -271,7 +273,10 @@ pub(super) fn contact_law(
         Some(f) => f,
         None => {
             if mu > 0.0 {
-                notes.push(format!("{path} gives no friction law: associated friction is used"));
+                notes.push(say!(
+                    "{} gives no friction law: associated friction is used",
+                    path.to_owned()
+                ));
             }
             FrictionLaw::Associated
         }

@@ -7,13 +7,15 @@ use crate::mesh::TetMesh;
 use crate::model::AnalysisKind;
 use crate::model::FrictionLaw;
 use crate::model::file::{Law, LoadEntry, ModelFile};
+use bracket_base::say;
+use bracket_base::words::Text;
 
 /// Checks a file whose `analysis` is `limit`; every other passes.
 pub(super) fn check(
     file: &ModelFile,
     scene: &Scene<'_>,
     faults: &mut Faults<'_>,
-    notes: &mut Vec<String>,
+    notes: &mut Vec<Text>,
 ) {
     check_estimate(file, faults);
     if file.analysis != AnalysisKind::Limit {
@@ -32,12 +34,12 @@ pub(super) fn check(
                         one are rigid";
             faults.add("model/never-yields", "materials", m, help);
         }
-        some => notes.push(format!(
-            "limit analysis: {} without `fy` {} rigid: {}",
-            if some.len() == 1 { "the body" } else { "bodies" },
-            if some.len() == 1 { "is" } else { "are" },
-            some.join(", ")
-        )),
+        [one] => {
+            notes.push(say!("limit analysis: the body without `fy` is rigid: {}", one.to_string()));
+        }
+        some => {
+            notes.push(say!("limit analysis: bodies without `fy` are rigid: {}", some.join(", ")));
+        }
     }
     for (i, load) in file.loads.iter().enumerate() {
         if let Some(body) = &load.body {

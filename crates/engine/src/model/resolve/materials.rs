@@ -6,6 +6,8 @@ use crate::model::AnalysisKind;
 use crate::model::analysis::Material;
 use crate::model::file::ModelFile;
 use bracket_base::diag::{did_you_mean, number};
+use bracket_base::say;
+use bracket_base::words::Text;
 
 /// Young's moduli with which the programs still find their bounds \[MPa\].
 const STIFFNESS: [f64; 2] = [1e-9, 1e15];
@@ -87,7 +89,7 @@ pub(super) fn read(
 }
 
 /// Adds a note when the analysis is plastic but no material can yield.
-pub(super) fn note_strengths(file: &ModelFile, notes: &mut Vec<String>) {
+pub(super) fn note_strengths(file: &ModelFile, notes: &mut Vec<Text>) {
     if file.analysis == AnalysisKind::Elastoplastic
         && file.materials.values().all(|m| m.fy.is_none())
     {
@@ -100,7 +102,7 @@ pub(super) fn note_strengths(file: &ModelFile, notes: &mut Vec<String>) {
 }
 
 /// Adds notes where numbers seem to be in another unit.
-pub(super) fn check_units(file: &ModelFile, mesh: &TetMesh, notes: &mut Vec<String>) {
+pub(super) fn check_units(file: &ModelFile, mesh: &TetMesh, notes: &mut Vec<Text>) {
     let largest = (0..3)
         .map(|k| {
             let c = mesh.nodes.iter().map(|x| x[k]);
@@ -108,16 +110,18 @@ pub(super) fn check_units(file: &ModelFile, mesh: &TetMesh, notes: &mut Vec<Stri
         })
         .fold(0.0, f64::max);
     if largest < 10.0 && file.materials.values().any(|m| (1e3..1e7).contains(&m.e)) {
-        notes.push(format!(
-            "warning: the largest dimension of the mesh is {largest} mm: if its lengths are in m, \
-             scale them to mm"
+        notes.push(say!(
+            "warning: the largest dimension of the mesh is {} mm: if its lengths are in m, scale \
+             them to mm",
+            largest.to_string()
         ));
     }
     for (name, m) in &file.materials {
         if m.e >= 1e8 {
-            notes.push(format!(
-                "warning: E of material `{name}` is {:e} MPa: if it is in Pa, divide by 1e6",
-                m.e
+            notes.push(say!(
+                "warning: E of material `{}` is {} MPa: if it is in Pa, divide by 1e6",
+                name,
+                format!("{:e}", m.e)
             ));
         }
     }

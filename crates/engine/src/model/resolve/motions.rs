@@ -10,10 +10,12 @@
 use crate::mesh::merge::diagonal;
 use crate::mesh::topology::face_nodes;
 use crate::model::analysis::{AnalysisModel, BoundaryFace, FreeMode, Traction};
-use bracket_base::diag::{Diagnostic, Diagnostics};
+use bracket_base::diag::Diagnostic;
 use bracket_base::math::dense::{Mat, right_singular_vectors};
 use bracket_base::math::rigid_motion::rigid_displacement;
 use bracket_base::math::vec3::{V3, cross, dot, norm, sub, unit};
+use bracket_base::say;
+use bracket_base::words::Text;
 use std::collections::BTreeMap;
 
 /// Singular values below this times the largest count as zero. Faces with coordinates of seven
@@ -187,16 +189,10 @@ fn rows(model: &AnalysisModel, frame: &Frame) -> Vec<Vec<f64>> {
 }
 
 /// Orthonormal basis of the motions that no row resists.
-fn null_space(rows: &[Vec<f64>], n: usize) -> Result<Vec<Vec<f64>>, Diagnostics> {
+fn null_space(rows: &[Vec<f64>], n: usize) -> Result<Vec<Vec<f64>>, LooseParts> {
     // padded to at least n rows, so that the decomposition returns all n right singular vectors
     let a = Mat::<f64>::from_fn(rows.len().max(n), n, |i, j| rows.get(i).map_or(0.0, |r| r[j]));
-    let (s, v) = right_singular_vectors(&a).map_err(|e| {
-        Diagnostic::undecided(
-            "model/rank-test",
-            format!("the search for loose parts did not converge: {e:?}"),
-        )
-        .help("scale the model to mm and check its coordinates")
-    })?;
+    let (s, v) = right_singular_vectors(&a).map_err(|e| LooseParts::NotFound(format!("{e:?}")))?;
     let largest = s.iter().copied().fold(0.0, f64::max);
     let null = (0..n).filter(|j| s[*j] <= HOLDS * largest);
     Ok(null.map(|j| (0..n).map(|i| v[(i, j)]).collect()).collect())
@@ -283,9 +279,47 @@ fn loads(model: &AnalysisModel, frame: &Frame) -> (Vec<f64>, f64) {
     (f, magnitude)
 }
 
+/// Why the rigid motions of a model let no program run.
+#[derive(Clone, Debug)]
+pub enum LooseParts {
+    /// The loads do work on these motions, and nothing resists them.
+    Driven(Vec<Text>),
+    /// The search for the motions did not converge, for this reason.
+    NotFound(String),
+}
+
+impl LooseParts {
+    /// The reason in words.
+    pub fn text(&self) -> Text {
+        match self {
+            LooseParts::Driven(motions) => say!(
+                "{}; nothing resists this motion and the loads do work on it",
+                Text::joined("; ", motions.clone())
+            ),
+            LooseParts::NotFound(why) => {
+                say!("the search for loose parts did not converge: {}", why)
+            }
+        }
+    }
+}
+
+impl From<LooseParts> for Diagnostic {
+    fn from(e: LooseParts) -> Self {
+        let message = e.text().to_string();
+        match e {
+            LooseParts::Driven(_) => Diagnostic::input("model/loose-part", message).help(
+                "add a support, a tie or a contact that holds it; parts that only touch in a line \
+                 or a point, or whose meshes do not share faces, are not connected",
+            ),
+            LooseParts::NotFound(_) => Diagnostic::undecided("model/rank-test", message)
+                .help("scale the model to mm and check its coordinates"),
+        }
+    }
+}
+
 /// The rigid motions that nothing resists; an error that names the parts if a load does work on
 /// one.
-pub(super) fn free_modes(model: &AnalysisModel) -> Result<Vec<FreeMode>, Diagnostics> {
+pub(super) fn free_modes(model: &AnalysisModel) -> Result<Vec<FreeMode>, LooseParts> {
     let frame = Frame::new(model);
     let n = 6 * frame.reference.len();
     let mut basis = null_space(&rows(model, &frame), n)?;
@@ -311,60 +345,43 @@ pub(super) fn free_modes(model: &AnalysisModel) -> Result<Vec<FreeMode>, Diagnos
         }
         modes.push(mode);
     }
-    if driven.is_empty() {
-        return Ok(modes);
-    }
-    let m =
-        format!("{}; nothing resists this motion and the loads do work on it", driven.join("; "));
-    let help = "add a support, a tie or a contact that holds it; parts that only touch in a line \
-                or a point, or whose meshes do not share faces, are not connected";
-    Err(Diagnostic::input("model/loose-part", m).help(help).into())
+    if driven.is_empty() { Ok(modes) } else { Err(LooseParts::Driven(driven)) }
 }
 
 /// `part COLUMN can move along z`.
-pub(super) fn in_words(model: &AnalysisModel, mode: &FreeMode) -> String {
+pub(super) fn in_words(model: &AnalysisModel, mode: &FreeMode) -> Text {
     let frame = Frame::new(model);
     let at = |p: usize| rigid_displacement(&mode.motions[p], [0.0; 3], frame.reference[p]);
     let spin = |p: usize| [3, 4, 5].map(|k| mode.motions[p][k]);
     let moves = |p: usize| norm(at(p)) + frame.size * norm(spin(p));
     let largest = (0..frame.parts).map(moves).fold(0.0, f64::max);
-    let mut said: Vec<(String, Vec<&str>)> = Vec::new();
+    let mut said: Vec<(Text, Vec<&str>)> = Vec::new();
     for p in (0..frame.parts).filter(|p| moves(*p) > 1e-6 * largest) {
         let (u, theta) = (at(p), spin(p));
         let turn = norm(theta);
         let words = if turn * frame.size < 1e-6 * largest {
-            format!("move along {}", direction(u))
+            say!("move along {}", direction(u))
         } else {
             // the point of the axis nearest the centre of the model, the same for parts that turn
             // together
             let t = cross(theta, rigid_displacement(&mode.motions[p], [0.0; 3], frame.centre));
             let axis = [0, 1, 2].map(|k| round(frame.centre[k] + t[k] / (turn * turn), frame.size));
-            let line = format!(
-                "turn about {} through ({}, {}, {})",
-                direction(theta),
-                axis[0],
-                axis[1],
-                axis[2]
-            );
+            let [x, y, z] = axis;
+            let at = format!("({x}, {y}, {z})");
+            let line = say!("turn about {} through {}", direction(theta), at);
             let along = dot(u, theta) / turn;
-            if along.abs() > 1e-6 * largest {
-                format!("{line} while moving along it")
-            } else {
-                line
-            }
+            if along.abs() > 1e-6 * largest { say!("{} while moving along it", line) } else { line }
         };
         match said.iter_mut().find(|(w, _)| *w == words) {
             Some((_, parts)) => parts.push(&model.parts[p]),
             None => said.push((words, vec![&model.parts[p]])),
         }
     }
-    said.iter()
-        .map(|(words, parts)| {
-            let (s, together) = if parts.len() > 1 { ("s", " together") } else { ("", "") };
-            format!("part{s} {} can {words}{together}", parts.join(", "))
-        })
-        .collect::<Vec<_>>()
-        .join(", ")
+    let can = said.iter().map(|(words, parts)| match parts[..] {
+        [one] => say!("part {} can {}", one.to_owned(), words),
+        _ => say!("parts {} can {} together", parts.join(", "), words),
+    });
+    Text::joined(", ", can)
 }
 
 /// `x`, or the components of a skew direction.

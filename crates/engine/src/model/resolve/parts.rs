@@ -1,6 +1,8 @@
 //! The parts and their names; a part consists of bodies tied together.
 
 use crate::mesh::split::{OpenPair, SplitMesh};
+use bracket_base::say;
+use bracket_base::words::Text;
 use std::collections::BTreeSet;
 
 /// Joins the two sides of faces to one part again: the halves of a bolt at its preloaded cut, whose
@@ -21,7 +23,7 @@ pub(super) fn join<'a>(split: &mut SplitMesh, pairs: impl Iterator<Item = &'a Op
 }
 
 /// Names such as `PLATE+BEAM`; the pieces of a disconnected body are numbered: `BEAM#1`, `BEAM#2`.
-pub(super) fn names(cut: &SplitMesh, notes: &mut Vec<String>) -> Vec<String> {
+pub(super) fn names(cut: &SplitMesh, notes: &mut Vec<Text>) -> Vec<String> {
     let mut bodies: Vec<BTreeSet<u32>> = vec![BTreeSet::new(); cut.parts];
     for (part, body) in cut.tet_part.iter().zip(&cut.mesh.tet_body) {
         bodies[*part as usize].insert(*body);
@@ -46,7 +48,7 @@ pub(super) fn names(cut: &SplitMesh, notes: &mut Vec<String>) -> Vec<String> {
         .collect();
     for (name, n) in cut.mesh.bodies.iter().zip(&pieces) {
         if *n > 1 {
-            notes.push(format!("the body `{name}` falls into {n} pieces that share no face"));
+            notes.push(say!("the body `{}` falls into {} pieces that share no face", name, *n));
         }
     }
     names

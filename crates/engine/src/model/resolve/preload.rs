@@ -11,6 +11,8 @@ use crate::model::analysis::{FacePair, Preload};
 use crate::model::file::{ModelFile, PreloadEntry};
 use bracket_base::diag::{Diagnostic, Diagnostics};
 use bracket_base::math::vec3::{self, V3};
+use bracket_base::say;
+use bracket_base::words::Text;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A cut is transverse where the normals of its faces have at least this component along the axis.
@@ -29,7 +31,7 @@ pub(super) fn read(
     scene: &Scene<'_>,
     claims: &Claims,
     faults: &mut Faults<'_>,
-    notes: &mut Vec<String>,
+    notes: &mut Vec<Text>,
 ) -> Vec<Cut> {
     if file.analysis == AnalysisKind::Elastoplastic && !file.preload.is_empty() {
         let m = "preload in an elastic, perfectly plastic analysis is not available yet in this \
@@ -83,7 +85,7 @@ pub(super) fn read(
     }
     if file.analysis == AnalysisKind::Limit && !cuts.is_empty() {
         let bodies: Vec<&str> = cuts.iter().map(|c| c.preload.body.as_str()).collect();
-        notes.push(format!("limit analysis: the preload of {} drops out", bodies.join(", ")));
+        notes.push(say!("limit analysis: the preload of {} drops out", bodies.join(", ")));
         cuts.iter_mut().for_each(|c| c.faces.clear());
     }
     cuts
@@ -215,7 +217,7 @@ fn strength_note(
     entry: &PreloadEntry,
     faces: &[[TetFace; 2]],
     scene: &Scene<'_>,
-    notes: &mut Vec<String>,
+    notes: &mut Vec<Text>,
 ) {
     let material = file.bodies.get(&entry.body).and_then(|m| file.materials.get(m));
     let Some(fy) = material.and_then(|m| m.fy) else { return };
@@ -227,10 +229,11 @@ fn strength_note(
     });
     let yields = fy * area.sum::<f64>();
     if entry.force > yields {
-        notes.push(format!(
-            "warning: the preload of `{}`, {} N, exceeds the {yields:.0} N at which its \
-             shank yields",
-            entry.body, entry.force
+        notes.push(say!(
+            "warning: the preload of `{}`, {} N, exceeds the {} N at which its shank yields",
+            &entry.body,
+            entry.force.to_string(),
+            format!("{yields:.0}")
         ));
     }
 }

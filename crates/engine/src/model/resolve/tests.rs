@@ -165,7 +165,11 @@ adapt: {target_gap: 0.05}
     assert_eq!(m.surface_loads[0].traction, Traction::Pressure(2.0));
     assert_eq!(m.body_loads.len(), 4);
     assert!(m.body_loads.iter().all(|l| l.dead));
-    assert!(m.notes.iter().any(|n| n.contains("associated friction is used")), "{:?}", m.notes);
+    assert!(
+        m.notes.iter().any(|n| n.to_string().contains("associated friction is used")),
+        "{:?}",
+        m.notes
+    );
 }
 
 #[test]
@@ -174,12 +178,13 @@ fn units_that_look_wrong_are_noted() {
     metres.nodes.iter_mut().flatten().for_each(|c| *c /= 1000.0);
     let m = model(metres, GOOD).expect("metres");
     assert!(
-        m.notes[0].contains("0.04 mm") && m.notes[0].contains("scale them to mm"),
+        m.notes[0].to_string().contains("0.04 mm")
+            && m.notes[0].to_string().contains("scale them to mm"),
         "{:?}",
         m.notes
     );
     let m = model(row(), &GOOD.replace("210000", "2.1e11")).expect("Pa");
-    assert!(m.notes[0].contains("divide by 1e6"), "{:?}", m.notes);
+    assert!(m.notes[0].to_string().contains("divide by 1e6"), "{:?}", m.notes);
 }
 
 /// The reference meshes: 565 and 1 965 contact triangles by the reference program, two parts.

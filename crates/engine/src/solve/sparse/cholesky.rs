@@ -9,7 +9,10 @@ use super::patterns::Patterns;
 use super::substitution;
 use super::symbolic::Update;
 use crate::programs::conic::SymmetricCsc;
+use bracket_base::say;
+use bracket_base::words::Text;
 use rayon::prelude::*;
+use std::collections::TryReserveError;
 use std::sync::Arc;
 
 /// A Cholesky factor `A = L Lᵀ` under nested dissection.
@@ -54,7 +57,8 @@ impl SparseCholesky {
         let layout = patterns.layout(a, block);
         if layout.symbolic.storage() > u32::MAX as usize {
             let gib = layout.symbolic.storage() as f64 / f64::from(1 << 27);
-            return Err(LinearError::Setup(format!("its factor would take {gib:.0} GiB")));
+            let size = format!("{gib:.0} GiB");
+            return Err(LinearError::Setup(say!("its factor would take {}", size)));
         }
         Ok(Self { layout, values: Vec::new(), pool: Pool::default() })
     }
@@ -88,7 +92,8 @@ impl SparseCholesky {
     pub fn clear(&mut self) -> Result<&mut [f64], LinearError> {
         if self.values.is_empty() {
             let len = self.layout.symbolic.storage();
-            self.values.try_reserve_exact(len).map_err(|e| LinearError::Setup(e.to_string()))?;
+            let failed = |e: TryReserveError| LinearError::Setup(Text::given(e.to_string()));
+            self.values.try_reserve_exact(len).map_err(failed)?;
             huge_pages(&mut self.values);
             self.values.resize(len, 0.0);
         } else {

@@ -1,12 +1,36 @@
 //! Errors of the factorisation.
 
+use bracket_base::say;
+use bracket_base::words::Text;
+use std::fmt;
+
 /// Reason why a factorisation failed.
-#[derive(Clone, Debug, thiserror::Error)]
+#[derive(Clone, Debug)]
 pub enum LinearError {
     /// The matrix is not positive definite: some part can move freely.
-    #[error("the stiffness matrix is singular: some part of the model is not held")]
     Singular,
     /// Out of memory or too large an index.
-    #[error("the sparse factorisation could not be set up: {0}")]
-    Setup(String),
+    Setup(Text),
 }
+
+impl LinearError {
+    /// The reason in words.
+    pub fn text(&self) -> Text {
+        match self {
+            LinearError::Singular => {
+                "the stiffness matrix is singular: some part of the model is not held".into()
+            }
+            LinearError::Setup(why) => {
+                say!("the sparse factorisation could not be set up: {}", why)
+            }
+        }
+    }
+}
+
+impl fmt::Display for LinearError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.text().fmt(f)
+    }
+}
+
+impl std::error::Error for LinearError {}

@@ -7,6 +7,7 @@ use crate::assembly::evaluate::{entry_fault, within};
 use crate::assembly::part::Placed;
 use crate::assembly::scope::Scope;
 use crate::assembly::template::{PartEntry, SolidEntry};
+use bracket_base::say;
 
 /// A solid in one turn of its loops.
 pub(super) struct Shape<'a> {
@@ -135,7 +136,7 @@ impl Context<'_> {
     ) -> Result<(), AssemblyError> {
         let at = entry.name.as_str();
         let part = within(at, scope.text(at))?;
-        let label = within(at, scope.text(&entry.label))?;
+        let label = within(at, scope.words(&entry.label))?;
         let thickness = within(at, scope.length(&entry.thickness))?;
         let steel = self.inputs.strength(self.spec, &entry.steel, thickness)?.grade;
         let shapes = self.shapes(entry, scope)?;
@@ -143,7 +144,7 @@ impl Context<'_> {
         let mut boxes = Vec::new();
         for Shape { entry: solid, scope, body } in shapes {
             let text =
-                |t: &Option<String>| t.as_ref().map(|t| within(at, scope.text(t))).transpose();
+                |t: &Option<String>| t.as_ref().map(|t| within(at, scope.words(t))).transpose();
             let own = text(&solid.label)?;
             let no_check = text(&solid.no_check)?.or(text(&entry.no_check)?);
             match body {
@@ -169,7 +170,7 @@ impl Context<'_> {
             let extents = webs.iter().flat_map(|m| &m.blocks).fold(vec![extent], cut_by);
             let words = match alone {
                 true => label.clone(),
-                false => format!("plate of the {label}"),
+                false => say!("plate of the {}", &label),
             };
             let label = own.unwrap_or(words);
             out.pieces.extend(extents.into_iter().map(|extent| Piece {

@@ -1,6 +1,7 @@
 //! Values of expressions, and the error of an expression that has no value.
 
 use bracket_base::units::{Dim, Quantity};
+use bracket_base::words::Text;
 use std::fmt;
 use std::ops::Range;
 
@@ -25,6 +26,14 @@ impl Value {
     /// A pure number.
     pub fn number(value: f64) -> Self {
         Value::Quantity(Quantity { value, dim: Dim::NONE })
+    }
+    /// The value as a text for a person: the words `true` and `false`, or a number with its unit.
+    pub fn text(&self) -> Text {
+        match self {
+            Value::Truth(true) => "true".into(),
+            Value::Truth(false) => "false".into(),
+            Value::Quantity(_) => Text::given(self.to_string()),
+        }
     }
 }
 

@@ -42,7 +42,7 @@ fn drawings_give_every_size_and_no_text_covers_another() {
         }
     }
     let (e, content) = joint(COLUMN);
-    let text = views(&e, &content, Some(65.0));
+    let text = views(&e, &content, Some(65.0)).file;
     for wanted in
         [">200<", ">15<", ">300<", ">100<", ">180<", ">12 bolts M20 × 65 8.8, holes of 22 mm<"]
     {
@@ -50,7 +50,7 @@ fn drawings_give_every_size_and_no_text_covers_another() {
     }
     // two beams, twelve bolts in the side view of three rows, six hexagons in front
     assert_eq!(text.matches("<circle").count(), 6);
-    let sketch = actions(&e);
+    let sketch = actions(&e).file;
     assert!(sketch.contains("A, beam_right: N = 0 kN, Vz = −30 kN, My = 37 kN m"), "{sketch}");
     assert!(sketch.contains("Mz = 1 kN m"), "{sketch}");
 }

@@ -368,7 +368,9 @@ fn bodies_apart_are_not_in_contact() {
     let text = text.replace("interfaces:\n", "").replace("face: RIGHT", "face: LEFT");
     let m = model(explode(&row()), &text).expect("three bodies apart");
     assert!(
-        m.notes.iter().any(|n| n.contains("12 nodes") || n.contains("8 nodes")),
+        m.notes
+            .iter()
+            .any(|n| n.to_string().contains("12 nodes") || n.to_string().contains("8 nodes")),
         "{:?}",
         m.notes
     );

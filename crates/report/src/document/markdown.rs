@@ -1,19 +1,70 @@
-//! Markdown elements: headings, paragraphs, tables, and text that is safe inside them.
+//! The writer of Markdown: blocks, and text that is safe inside them.
 
-use crate::markdown::report_data::Table;
+use super::block::{Block, Grid, Span};
 
-/// The text of a cell without a value.
-pub(crate) fn dash() -> String {
-    "–".into()
+/// The text of blocks in Markdown.
+pub fn markdown(blocks: &[Block]) -> String {
+    let mut page = String::new();
+    for block in blocks {
+        match block {
+            Block::Heading { level, text } => {
+                page.push_str(&format!("{} {}\n", "#".repeat(usize::from(*level) + 1), line(text)));
+            }
+            Block::Paragraph { text } => page.push_str(&format!("{}\n", line(text))),
+            Block::List { items } => {
+                items.iter().for_each(|text| page.push_str(&format!("- {}\n", line(text))));
+            }
+            Block::Table { table } => write_table(&mut page, table),
+            Block::Code { text } => fenced(&mut page, text),
+            Block::Picture { caption, file } => {
+                page.push_str(&format!("![{}]({file})\n", line(caption)));
+            }
+        }
+        page.push('\n');
+    }
+    page.truncate(page.trim_end().len());
+    page.push('\n');
+    page
 }
 
-pub(crate) fn heading(page: &mut String, text: &str) {
-    page.push_str(&format!("## {text}\n\n"));
+fn fenced(page: &mut String, text: &str) {
+    // the input cannot close a fence that is longer than any run of backticks in it
+    let mut longest = 2;
+    let mut run = 0;
+    for c in text.chars() {
+        run = if c == '`' { run + 1 } else { 0 };
+        longest = longest.max(run);
+    }
+    let fence = "`".repeat(longest + 1);
+    page.push_str(&format!("{fence}yaml\n{}\n{fence}\n", text.trim_end()));
 }
 
-pub(crate) fn paragraph(page: &mut String, text: &str) {
-    page.push_str(text);
-    page.push_str("\n\n");
+/// Spans on one line. Only code has backticks of its own.
+fn line(text: &[Span]) -> String {
+    let mut out = String::new();
+    for span in text {
+        match (span.bold, span.code) {
+            (true, _) => out.push_str(&format!("{BOLD}{}{BOLD}", ticks(&span.text))),
+            (_, true) => out.push_str(&format!("`{}`", span.text.replace('`', "'"))),
+            _ => out.push_str(&ticks(&span.text)),
+        }
+    }
+    inline(&out)
+}
+
+/// A text whose backticks make no code.
+fn ticks(text: &str) -> String {
+    text.replace('`', &TICK.to_string())
+}
+
+fn write_table(page: &mut String, table: &Grid) {
+    let row = |cells: &[Vec<Span>]| {
+        format!("| {} |\n", cells.iter().map(|c| line(c)).collect::<Vec<_>>().join(" | "))
+    };
+    page.push_str(&row(&table.columns));
+    let rule = table.right.iter().map(|right| if *right { "---:" } else { "---" });
+    page.push_str(&format!("| {} |\n", rule.collect::<Vec<_>>().join(" | ")));
+    table.rows.iter().for_each(|r| page.push_str(&row(r)));
 }
 
 /// Escapes a text so that it remains within its line or cell, and becomes no link, no picture, no
@@ -58,6 +109,10 @@ pub fn inline(text: &str) -> String {
                 continue;
             }
             '`' => odd_ticks,
+            TICK => {
+                out.push_str("\\`");
+                continue;
+            }
             // the begin of a heading, a quotation or a list
             '#' | '>' => i == 0,
             '-' | '+' => i == 0 && gap(after),
@@ -71,40 +126,11 @@ pub fn inline(text: &str) -> String {
     out
 }
 
-/// Around words that the program sets bold. Unlike `**`, no text of a user looks like it, so that
-/// [`inline`] can write it as Markdown.
+/// Around words that the program sets bold. Unlike `**`, no text of a user looks like it.
 const BOLD: char = '\u{e000}';
 
-/// Bold words within a text for [`inline`] or a cell of a table.
-pub(crate) fn bold(text: &str) -> String {
-    format!("{BOLD}{text}{BOLD}")
-}
-
-pub(crate) fn table(page: &mut String, table: &Table) {
-    let row = |cells: &[String]| {
-        format!("| {} |\n", cells.iter().map(|c| inline(c)).collect::<Vec<_>>().join(" | "))
-    };
-    page.push_str(&row(&table.columns));
-    let number = |c: usize| {
-        table.rows.iter().all(|r| {
-            r.get(c).is_none_or(|t| {
-                let t = t.trim_start_matches(BOLD);
-                t.is_empty() || t.starts_with(|l: char| l.is_ascii_digit() || "-−<–".contains(l))
-            })
-        })
-    };
-    let rule: Vec<&str> =
-        (0..table.columns.len()).map(|c| if number(c) { "---:" } else { "---" }).collect();
-    page.push_str(&format!("| {} |\n", rule.join(" | ")));
-    for r in &table.rows {
-        page.push_str(&row(r));
-    }
-    page.push('\n');
-}
-
-pub(crate) fn strings<const N: usize>(cells: [&str; N]) -> Vec<String> {
-    cells.map(String::from).to_vec()
-}
+/// In place of a backtick of the user.
+const TICK: char = '\u{e001}';
 
 #[cfg(test)]
 mod tests {
@@ -129,7 +155,7 @@ mod tests {
         ] {
             assert_eq!(inline(text), shown);
         }
-        assert_eq!(inline(&format!("a {} *b*", bold("1|2"))), "a **1\\|2** \\*b\\*");
+        assert_eq!(inline(&format!("a {BOLD}1|2{BOLD} *b*")), "a **1\\|2** \\*b\\*");
         // texts of the program have these marks and stay as they are
         for text in ["F_t,Rd = 2 * γ_M2 [mm]", "`max_passes` of 3", "-43.2 kN m", "~ 3: 4/5 (EN)"]
         {
