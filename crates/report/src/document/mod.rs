@@ -37,11 +37,6 @@ impl<'w> Doc<'w> {
         self.blocks.push(Block::Heading { level: 1, text: unstyled(self.words, &text.into()) });
     }
 
-    /// Adds a heading within a section.
-    pub fn subheading(&mut self, text: impl Into<Text>) {
-        self.blocks.push(Block::Heading { level: 2, text: unstyled(self.words, &text.into()) });
-    }
-
     /// Adds a paragraph.
     pub fn paragraph(&mut self, text: impl Into<Text>) {
         self.blocks.push(Block::Paragraph { text: spans(self.words, &text.into()) });
@@ -115,9 +110,8 @@ fn unstyled(words: &Words, text: &Text) -> Spans {
 
 /// A table in the language of the reader. Columns of numbers are set to the right.
 pub fn grid(words: &Words, table: &Table) -> Grid {
-    let plain = |text: &Text| -> String { text.parts(words).into_iter().map(|p| p.0).collect() };
     let number = |c: usize| {
-        let mut cells = table.rows.iter().filter_map(|r| r.get(c)).map(plain);
+        let mut cells = table.rows.iter().filter_map(|r| r.get(c)).map(|text| words.say(text));
         cells.all(|t| {
             let t = t.trim_start_matches(['*', '(']);
             t.is_empty() || t.starts_with(|l: char| l.is_ascii_digit() || "-−<–".contains(l))
@@ -131,11 +125,6 @@ pub fn grid(words: &Words, table: &Table) -> Grid {
     }
 }
 
-/// A text without marks.
-pub fn plain(text: impl Into<String>) -> Spans {
-    vec![Span::plain(text)]
-}
-
 /// The blocks of a section.
 pub fn section(words: &Words, write: impl FnOnce(&mut Doc)) -> Vec<Block> {
     let mut doc = Doc::new(words);
@@ -147,4 +136,44 @@ pub fn section(words: &Words, write: impl FnOnce(&mut Doc)) -> Vec<Block> {
 #[cfg(test)]
 pub(crate) fn english(write: impl FnOnce(&mut Doc)) -> String {
     markdown::markdown(&section(&Words::default(), write))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use bracket_base::say;
+    use table::cells;
+
+    /// Marks of a message style it, those of a name are letters; nothing of either is run.
+    #[test]
+    fn messages_have_styles_and_names_have_none() {
+        let hostile = "**a** `b` <script>[x](y)|z";
+        let page = english(|doc| {
+            doc.title(Text::given(hostile));
+            doc.heading("Answer");
+            doc.paragraph(say!(
+                "**{}** of `{}`, F_t,Rd: {}",
+                hostile.to_owned(),
+                hostile.to_owned(),
+                2
+            ));
+            doc.list([Text::from("one"), say!("{} mm", 3)]);
+            let rows = vec![cells!["a", "1"], cells![hostile.to_owned(), "−2.5"]];
+            doc.table(&Table { columns: Table::columns(["what", "size"]), rows });
+            doc.code("a: ```");
+        });
+        let name = "\\*\\*a\\*\\* \\`b\\` &lt;script>[x]\\(y)\\|z";
+        let code = "`\\*\\*a\\*\\* 'b' &lt;script>[x]\\(y)\\|z`";
+        assert_eq!(
+            page,
+            format!(
+                "# {name}\n\n## Answer\n\n**{name}** of {code}, F_t,Rd: 2\n\n- one\n- 3 mm\n\n| what \
+                 | size |\n| --- | ---: |\n| a | 1 |\n| {name} | −2.5 |\n\n````yaml\na: ```\n````\n"
+            )
+        );
+        let spans = spans(&Words::default(), &say!("**{}**, M_j,Rd", hostile.to_owned()));
+        let styles: Vec<(&str, bool)> = spans.iter().map(|s| (s.text.as_str(), s.bold)).collect();
+        assert_eq!(styles, [(hostile, true), (", M_j,Rd", false)]);
+        assert!(spans[1].pieces.iter().any(|p| p.symbol && p.below == "j,Rd"));
+    }
 }

@@ -92,9 +92,8 @@ fn nothing() -> ResultFile {
 impl ReportData {
     /// The text of `report.json`, with the data of its sentences and of those of the result.
     pub fn to_json(&mut self) -> Result<String, Diagnostics> {
-        let fault = |e| {
-            Diagnostic::environment("report/data", format!("the report's data: {e}")).into()
-        };
+        let fault =
+            |e| Diagnostic::environment("report/data", format!("the report's data: {e}")).into();
         let (written, words) = collected(|| {
             serde_json::to_writer(std::io::sink(), &self.result)?;
             serde_json::to_writer(std::io::sink(), self)
