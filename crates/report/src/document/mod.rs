@@ -167,8 +167,9 @@ mod tests {
         assert_eq!(
             page,
             format!(
-                "# {name}\n\n## Answer\n\n**{name}** of {code}, F_t,Rd: 2\n\n- one\n- 3 mm\n\n| what \
-                 | size |\n| --- | ---: |\n| a | 1 |\n| {name} | −2.5 |\n\n````yaml\na: ```\n````\n"
+                "# {name}\n\n## Answer\n\n**{name}** of {code}, F_t,Rd: 2\n\n- one\n- 3 mm\n\n\
+                 | what | size |\n| --- | ---: |\n| a | 1 |\n| {name} | −2.5 |\n\n\
+                 ````yaml\na: ```\n````\n"
             )
         );
         let spans = spans(&Words::default(), &say!("**{}**, M_j,Rd", hostile.to_owned()));
