@@ -163,14 +163,14 @@ fn record(key: &str, joint: &Joint, spec: &ConnectionSpec) -> Record {
 /// M_j,Rd, load factor and S_j,ini of the component method in a load case: of the member end that
 /// reaches its resistance first.
 fn method(checks: &HandChecks, case: &str) -> (Option<f64>, Option<f64>, Option<f64>) {
-    let first = first_end(checks.comparisons.iter().filter(|c| c.case == case));
-    let stiffness = checks.moments.iter().find(|m| m.case == case).map(|m| m.component_method);
+    let first = first_end(checks.comparisons().filter(|c| c.case == case));
+    let stiffness = checks.moments().find(|m| m.case == case).map(|m| m.component_method);
     (first.map(|c| c.resistance), first.and_then(|c| c.factor), stiffness)
 }
 
 /// N, Vz and My at the bolt plane of the member end that reaches its resistance first.
 fn actions(joint: &Joint, checks: &HandChecks, case: &str) -> Option<[f64; 3]> {
-    let end = first_end(checks.comparisons.iter().filter(|c| c.case == case)).map(|c| &c.end);
+    let end = first_end(checks.comparisons().filter(|c| c.case == case)).map(|c| &c.end);
     let plane = joint.facts.as_ref()?.actions();
     let mine =
         |of_end: bool| plane.iter().find(|a| a.case == case && (!of_end || Some(&a.end) == end));

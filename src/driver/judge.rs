@@ -68,7 +68,7 @@ pub fn judged(mut result: ResultFile, checks: &HandChecks, demands: &[GivenActio
                     .into(),
             );
         }
-        case.joint_stiffness = joint_stiffness(case, &checks.moments);
+        case.joint_stiffness = joint_stiffness(case, checks.moments());
     }
     // the findings of the analyses complete them
     let mut checks = checks.clone();
@@ -90,9 +90,9 @@ pub fn judged(mut result: ResultFile, checks: &HandChecks, demands: &[GivenActio
         result.verdict = judgement.verdict;
         result.judgement = Some(judgement);
     }
+    result.component_method = checks.methods().cloned().collect();
     result.checks = checks.checks;
     result.neglected = checks.neglected;
-    result.component_method = checks.methods;
     result
 }
 

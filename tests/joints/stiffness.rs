@@ -15,7 +15,7 @@ use bracket::result::stiffness::joint_stiffness;
 /// The load cases of one moment of a joint.
 fn moments(joint: &Joint) -> Vec<PureMoment> {
     let e = joint.facts.as_ref().and_then(Facts::end_plate).unwrap();
-    hand_checks(e).moments
+    hand_checks(e).moments().cloned().collect()
 }
 
 /// The stiffness of the first load case's joint, from an elastic analysis on a coarse mesh.

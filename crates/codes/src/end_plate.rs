@@ -13,6 +13,7 @@ mod bolt_forces;
 mod bolt_group;
 mod bolt_holes;
 mod bolt_rows;
+mod capacity;
 mod clamped_plates;
 mod class_checks;
 mod column_checks;
@@ -46,6 +47,7 @@ mod weld_lengths;
 mod welded_steel;
 mod welds_list;
 
+pub use capacity::Capacity;
 pub use clamped_plates::stocked_length;
 pub use class_checks::stiffness_class_limits;
 pub use comparison::Comparison;

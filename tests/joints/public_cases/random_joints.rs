@@ -119,14 +119,14 @@ fn result(text: &str, catalog: &Catalog) -> Option<ResultFile> {
     let (judgement, _) = judge(&mut checks, &cases);
     let mut out = ResultFile::new("0", 1, judgement.verdict);
     out.judgement = Some(judgement);
-    out.checks = checks.checks;
-    out.neglected = checks.neglected;
+    out.checks.clone_from(&checks.checks);
+    out.neglected.clone_from(&checks.neglected);
     // the numbers of the component method are written with the analyses of a case
-    for c in &checks.comparisons {
+    for c in checks.comparisons() {
         let value = serde_json::to_value(c).expect("JSON");
         assert!(!value.to_string().contains("null"), "{value}: {text}");
     }
-    for m in &checks.moments {
+    for m in checks.moments() {
         assert!(m.component_method.is_finite(), "{m:?}: {text}");
     }
     Some(out)

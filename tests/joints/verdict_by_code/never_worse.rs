@@ -25,7 +25,7 @@ fn no_analysis_makes_a_joint_worse_than_its_checks_unless_it_proves_collapse() {
             );
             checks(&format!("{spec}{load}"), &catalog)
         };
-        let resistance = with(1e6, 0.0).and_then(|h| h.comparisons.first().map(|c| c.resistance));
+        let resistance = with(1e6, 0.0).and_then(|h| h.comparisons().next().map(|c| c.resistance));
         let Some(resistance) = resistance else { continue };
         joints += 1;
         let factor = n.between(0.3, 1.6);

@@ -1,6 +1,7 @@
 //! Component method for each sense of bending: its tables, the welds that must not limit the joint,
 //! and the parts on which its rotation capacity depends.
 
+use super::capacity::Capacity;
 use super::component_joint::component_joint;
 use super::doubler::doubler_fault;
 use super::hand_checks::HandChecks;
@@ -41,7 +42,8 @@ pub(super) fn senses(e: &EndPlate, out: &mut HandChecks) -> Vec<SenseLimits> {
         let subject = if several { subject.and(Place::Beta(beta)) } else { subject };
         out.checks.extend(tables(e, &subject, sense, &assessment));
         let bends = sense::bent(e).contains(&(sense, beta));
-        out.methods.push(MethodRecord::new(subject.text(), bends, sense, &joint, &assessment));
+        let method = MethodRecord::new(subject.text(), bends, sense, &joint, &assessment);
+        out.capacities.push(Capacity::Moment(method));
         out.checks.extend(weld_checks::not_the_weakest(e, &subject, sense, &assessment));
         let panel = panel(e, &subject, &assessment);
         let bending = assessment.rows.iter().filter_map(|r| r.bending_of()).collect();

@@ -2,6 +2,7 @@
 
 use super::beam_checks::{beam, beyond_the_beam};
 use super::bolt_forces::BoltForces;
+use super::capacity::Capacity;
 use super::class_checks::classes;
 use super::column_checks;
 use super::comparison::Comparison;
@@ -60,7 +61,8 @@ pub(super) fn checks(e: &EndPlate, out: &mut HandChecks) {
             out.checks.extend(ultimate.then(|| check.of_case(&a.case)));
             continue;
         }
-        out.methods.extend(of_its_own(&end, &out.methods));
+        let own = of_its_own(&end, out.methods());
+        out.capacities.extend(own.map(Capacity::Moment));
         if ultimate {
             let loaded = LoadedEnd::new(&end, &method);
             let stability = joint_checks::stability(&loaded);
@@ -79,15 +81,20 @@ pub(super) fn checks(e: &EndPlate, out: &mut HandChecks) {
             found.extend(classes(&end));
             out.checks.extend(found.into_iter().map(|c| c.of_case(&a.case)));
         }
-        out.comparisons.push(Comparison::new(e, a, &method, &end.assessment));
-        out.moments.extend(PureMoment::new(e, a, beta(e, a), &end.assessment));
+        let comparison = Comparison::new(e, a, &method, &end.assessment);
+        let moment = PureMoment::new(e, a, beta(e, a), &end.assessment);
+        out.capacities.push(Capacity::UnderLoad(comparison));
+        out.capacities.extend(moment.map(Capacity::Stiffness));
     }
 }
 
 /// The component method of a member end whose forces change M_j,Rd: the shear force of the beam
 /// above half of its resistance. `None` where it is that of the sense of bending, or of an earlier
 /// case.
-fn of_its_own(end: &MemberEnd<'_>, known: &[MethodRecord]) -> Option<MethodRecord> {
+fn of_its_own<'a>(
+    end: &MemberEnd<'_>,
+    known: impl Iterator<Item = &'a MethodRecord>,
+) -> Option<MethodRecord> {
     let turned = end.joint.turned(end.sense);
     let mut own = MethodRecord::new(Text::default(), true, end.sense, &turned, &end.assessment);
     for o in known {

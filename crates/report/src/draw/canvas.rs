@@ -50,6 +50,7 @@ pub struct Canvas {
     depth: Vec<f32>,
 }
 
+#[inline]
 fn bytes(colour: Rgb) -> [u8; 3] {
     colour.map(|c| c.round().clamp(0.0, 255.0) as u8)
 }

@@ -142,6 +142,7 @@ impl Bands {
         Self { low: first * step, step, count, extremes, colours: field.colours }
     }
 
+    #[inline]
     pub(super) fn band(&self, value: f64) -> usize {
         (((value - self.low) / self.step).max(0.0) as usize).min(self.count - 1)
     }
@@ -151,6 +152,7 @@ impl Bands {
         self.extremes[1] > self.low + (self.count as f64 + 1e-9) * self.step
     }
 
+    #[inline]
     pub(super) fn colour(&self, band: usize) -> Rgb {
         let stops = self.colours.stops();
         let last = stops.len() - 1;
@@ -186,6 +188,7 @@ pub(super) fn nice(x: f64) -> f64 {
         .unwrap_or(10.0 * power)
 }
 
+#[inline]
 pub(super) fn mix(a: Rgb, b: Rgb, t: f32) -> Rgb {
     [0, 1, 2].map(|k| a[k] + (b[k] - a[k]) * t)
 }

@@ -214,6 +214,7 @@ impl Drawing<'_> {
 }
 
 /// Distance of the point `x` from the segment from `a` to `b`.
+#[inline]
 fn to_segment(x: [f64; 2], a: [f64; 2], b: [f64; 2]) -> f64 {
     let (d, e) = ([b[0] - a[0], b[1] - a[1]], [x[0] - a[0], x[1] - a[1]]);
     let square = (d[0] * d[0] + d[1] * d[1]).max(f64::MIN_POSITIVE);

@@ -302,7 +302,7 @@ impl Demand {
             (Quantity::PotentialEnergy, _) => Verdict::None,
         };
         let component_method =
-            checks.comparisons.iter().filter(|c| c.case == entry.name).cloned().collect();
+            checks.comparisons().filter(|c| c.case == entry.name).cloned().collect();
         // only limit analysis needs rotation capacity
         let brittle = checks.brittle.clone().filter(|_| entry.quantity == Quantity::LoadFactor);
         Self {

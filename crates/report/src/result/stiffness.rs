@@ -5,8 +5,11 @@ use crate::result::quantity::LoadSize;
 use bracket_codes::{JointStiffness, PureMoment};
 
 /// The stiffness of a joint, if the only load of the case is a moment whose rotation is bracketed.
-pub fn joint_stiffness(case: &CaseResult, moments: &[PureMoment]) -> Option<JointStiffness> {
-    let mine: Vec<&PureMoment> = moments.iter().filter(|m| m.case == case.name).collect();
+pub fn joint_stiffness<'a>(
+    case: &CaseResult,
+    moments: impl Iterator<Item = &'a PureMoment>,
+) -> Option<JointStiffness> {
+    let mine: Vec<&PureMoment> = moments.filter(|m| m.case == case.name).collect();
     let LoadSize::Moment(total) = case.load? else { return None };
     JointStiffness::new(&mine, total, case.load_displacement?)
 }
