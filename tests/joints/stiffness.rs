@@ -26,7 +26,7 @@ fn stiffness(name: &str, spec: &str) -> Option<JointStiffness> {
     let pass = elastic::run(&m, &PassOptions::default(), &silent()).unwrap();
     let entry = case_result("A", &m, &pass, None);
     assert!(entry.certificate.is_some_and(|c| c.strict), "{name}");
-    let s = joint_stiffness(&entry, &moments(&joint));
+    let s = joint_stiffness(&entry, moments(&joint).iter());
     if let Some(s) = &s {
         println!(
             "{name}: {} tets, φ [{:.4}, {:.4}] mrad, beam {:.4}, S_j,ini [{:.0}, {:.0}] kN m/rad, \
