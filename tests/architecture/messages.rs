@@ -4,6 +4,7 @@ use super::assert_none;
 use super::read_back::{content, literals};
 use super::text::{root, rust_files};
 use super::tokens::{tokens_with_literals, without_tests};
+use bracket::words::has_words;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
@@ -85,17 +86,6 @@ fn gaps(message: &str) -> BTreeSet<usize> {
         .enumerate()
         .filter_map(|(i, p)| if p.is_empty() { Some(i + 1) } else { p.parse().ok() })
         .collect()
-}
-
-/// Whether a message has a word and not only symbols and units.
-fn has_words(text: &str) -> bool {
-    let word = |w: &str| {
-        let w = w.trim_matches(|c: char| !c.is_alphanumeric());
-        w.len() > 2
-            && w.chars().all(|c| c.is_alphabetic() || c == '-')
-            && w.chars().skip(1).all(char::is_lowercase)
-    };
-    text.split_whitespace().any(word)
 }
 
 #[test]

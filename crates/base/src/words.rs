@@ -74,6 +74,18 @@ macro_rules! say {
     }};
 }
 
+/// `Display` of types that have a method `text()`: its English.
+#[macro_export]
+macro_rules! display_text {
+    ($($said:ty),*) => {$(
+        impl std::fmt::Display for $said {
+            fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                self.text().fmt(f)
+            }
+        }
+    )*};
+}
+
 impl Text {
     /// A message with its gaps; see [`say!`](crate::say).
     pub fn new(id: &'static str, gaps: Vec<Gap>) -> Self {
@@ -230,6 +242,18 @@ pub const fn holes(id: &str) -> usize {
         i += 1;
     }
     found
+}
+
+/// True for messages with at least one word that is no symbol, unit or name of a profile: those
+/// that a language must have.
+pub fn has_words(message: &str) -> bool {
+    let word = |w: &str| {
+        let w = w.trim_matches(|c: char| !c.is_alphanumeric());
+        w.len() > 2
+            && w.chars().all(|c| c.is_alphabetic() || c == '-')
+            && w.chars().skip(1).all(char::is_lowercase)
+    };
+    message.split_whitespace().any(word)
 }
 
 /// The English text.

@@ -1,8 +1,8 @@
 //! Reasons why a hand check cannot be made.
 
+use bracket_base::display_text;
 use bracket_base::say;
 use bracket_base::words::Text;
-use std::fmt;
 
 /// A quantity for which the formulas have no meaning, or a joint that the tables of the code do not
 /// cover.
@@ -48,11 +48,7 @@ impl CheckError {
     }
 }
 
-impl fmt::Display for CheckError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.text().fmt(f)
-    }
-}
+display_text!(CheckError);
 
 impl std::error::Error for CheckError {}
 

@@ -1,10 +1,10 @@
 //! The title of a check.
 
 use super::check_id::CheckId;
+use bracket_base::display_text;
 use bracket_base::say;
 use bracket_base::words::Text;
 use serde::{Deserialize, Serialize};
-use std::fmt;
 
 /// The title of a check: its id, and the names of the user that belong to it.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -26,11 +26,7 @@ impl Title {
     }
 }
 
-impl fmt::Display for Title {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.text().fmt(f)
-    }
-}
+display_text!(Title);
 
 impl From<CheckId> for Title {
     fn from(id: CheckId) -> Self {

@@ -2,9 +2,9 @@
 
 use crate::check::CheckId;
 use crate::subject::Part;
+use bracket_base::display_text;
 use bracket_base::say;
 use bracket_base::words::Text;
-use std::fmt;
 
 /// A component that rows in tension share.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -97,8 +97,4 @@ impl LimitedBy {
     }
 }
 
-impl fmt::Display for LimitedBy {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.text().fmt(f)
-    }
-}
+display_text!(LimitedBy);

@@ -4,10 +4,10 @@ use super::frame::Frame;
 use super::part::Part;
 use super::sense::Sense;
 use crate::unit::number as n;
+use bracket_base::display_text;
 use bracket_base::say;
 use bracket_base::words::Text;
 use serde::{Deserialize, Serialize};
-use std::fmt;
 
 /// One entry of a subject.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -100,8 +100,4 @@ impl Place {
     }
 }
 
-impl fmt::Display for Place {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.text().fmt(f)
-    }
-}
+display_text!(Place);

@@ -3,9 +3,9 @@
 use super::part::Part;
 use super::place::Place;
 use super::sense::Sense;
+use bracket_base::display_text;
 use bracket_base::words::Text;
 use serde::{Deserialize, Serialize};
-use std::fmt;
 
 /// What a check is about.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -37,11 +37,7 @@ impl Subject {
     }
 }
 
-impl fmt::Display for Subject {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.text().fmt(f)
-    }
-}
+display_text!(Subject);
 
 impl From<Place> for Subject {
     fn from(place: Place) -> Self {

@@ -1,8 +1,8 @@
 //! Errors of a model: the reasons why no program can be built from it.
 
+use bracket_base::display_text;
 use bracket_base::say;
 use bracket_base::words::Text;
-use std::fmt;
 
 /// Reason why no program can be built from a model.
 #[derive(Clone, Debug, PartialEq)]
@@ -73,11 +73,7 @@ impl ModelError {
     }
 }
 
-impl fmt::Display for ModelError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.text().fmt(f)
-    }
-}
+display_text!(ModelError);
 
 impl std::error::Error for ModelError {}
 

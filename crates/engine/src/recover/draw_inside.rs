@@ -16,11 +16,11 @@ use crate::elements::super_element::PointStress;
 use crate::model::AnalysisModel;
 use crate::model::loads::Loads;
 use crate::recover::elastic::RecoverError;
+use bracket_base::display_text;
 use bracket_base::math::mandel::{Mandel, deviator};
 use bracket_base::math::vec3::{self, V3};
 use bracket_base::say;
 use bracket_base::words::Text;
-use std::fmt;
 
 /// Largest violation of a friction cone, relative to the largest traction, that rounding explains.
 const ROUNDING: f64 = 1e-12;
@@ -78,11 +78,7 @@ impl LowerError {
     }
 }
 
-impl fmt::Display for LowerError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.text().fmt(f)
-    }
-}
+display_text!(LowerError);
 
 impl std::error::Error for LowerError {}
 

@@ -24,10 +24,10 @@ use crate::recover::moving_parts::rigid_mechanism;
 use crate::recover::restore_equilibrium::restore_equilibrium;
 use crate::solve::Solution;
 use crate::solve::sparse::{LinearError, Patterns, SparseCholesky};
+use bracket_base::display_text;
 use bracket_base::say;
 use bracket_base::words::Text;
 use rayon::prelude::*;
-use std::fmt;
 
 /// Margin of the traction of a weld below its strength, relative to the strength.
 const INSIDE: f64 = 1e-9;
@@ -80,11 +80,7 @@ impl RecoverError {
     }
 }
 
-impl fmt::Display for RecoverError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.text().fmt(f)
-    }
-}
+display_text!(RecoverError);
 
 impl std::error::Error for RecoverError {}
 

@@ -24,12 +24,12 @@ use crate::programs::rigid_motions::nearest_unknowns;
 use crate::recover::elastic::{RecoverError, plus_rows};
 use crate::recover::force_sets::{cone_ranges, into_cone};
 use crate::solve::sparse::{Patterns, SparseCholesky};
+use bracket_base::display_text;
 use bracket_base::math::Sum;
 use bracket_base::math::mandel::Mandel;
 use bracket_base::say;
 use bracket_base::words::Text;
 use rayon::prelude::*;
-use std::fmt;
 
 /// Weight γ of the equations against the stiffness.
 const AUGMENTED: f64 = 1e6;
@@ -92,11 +92,7 @@ impl UpperError {
     }
 }
 
-impl fmt::Display for UpperError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.text().fmt(f)
-    }
-}
+display_text!(UpperError);
 
 impl std::error::Error for UpperError {}
 

@@ -1,9 +1,9 @@
 //! File and line of a table row.
 
+use bracket_base::display_text;
 use bracket_base::say;
 use bracket_base::words::Text;
 use serde::Serialize;
-use std::fmt;
 
 /// File and line of a table row.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -22,8 +22,4 @@ impl Source {
     }
 }
 
-impl fmt::Display for Source {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.text().fmt(f)
-    }
-}
+display_text!(Source);

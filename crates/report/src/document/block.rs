@@ -46,7 +46,7 @@ pub struct Grid {
 pub enum Block {
     /// A heading.
     Heading {
-        /// 0 for the title of the document, 1 for its sections, 2 below.
+        /// 0 for the title of the document, 1 for its sections.
         level: u8,
         /// Its text.
         text: Spans,

@@ -6,7 +6,7 @@
 
 mod picture;
 
-use bracket_base::words::{Collected, Language as Messages, Said, Text};
+use bracket_base::words::{Collected, Language as Messages, Said, Text, has_words};
 use bracket_base::yaml;
 use bracket_joint::spec::connection::Language;
 use std::borrow::Cow;
@@ -108,17 +108,6 @@ impl Messages for Words {
     fn read(&self, sentence: &str) -> Option<&Text> {
         self.read.get(sentence).map(|Said(text)| text)
     }
-}
-
-/// True for messages with at least one word that is no symbol, unit or name of a profile.
-fn has_words(text: &str) -> bool {
-    let word = |w: &str| {
-        let w = w.trim_matches(|c: char| !c.is_alphanumeric());
-        w.len() > 2
-            && w.chars().all(|c| c.is_alphabetic() || c == '-')
-            && w.chars().skip(1).all(char::is_lowercase)
-    };
-    text.split_whitespace().any(word)
 }
 
 #[cfg(test)]

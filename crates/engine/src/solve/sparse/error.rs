@@ -1,8 +1,8 @@
 //! Errors of the factorisation.
 
+use bracket_base::display_text;
 use bracket_base::say;
 use bracket_base::words::Text;
-use std::fmt;
 
 /// Reason why a factorisation failed.
 #[derive(Clone, Debug)]
@@ -27,10 +27,6 @@ impl LinearError {
     }
 }
 
-impl fmt::Display for LinearError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.text().fmt(f)
-    }
-}
+display_text!(LinearError);
 
 impl std::error::Error for LinearError {}
