@@ -127,7 +127,8 @@ fn bounds_on_another_mesh_than_the_given_one_are_refuted() {
         });
     });
     // the same for an adaptive analysis, which ends on a mesh of its own
-    let adapt = format!("{MODEL}adapt: {{target_gap: 1e-9, max_passes: 2}}\n");
+    let adapt =
+        format!("{MODEL}adapt: {{target_gap: 1e-9, max_passes: 2, max_macro_tets: 1000}}\n");
     write(&bench, "block.yaml", &adapt);
     write(&bench, "large/block.yaml", &adapt);
     for (model, out) in [("block.yaml", "block"), ("large/block.yaml", "other")] {

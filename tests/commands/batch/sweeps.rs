@@ -201,7 +201,7 @@ pub fn t_stubs(limits: &str) -> Bench {
                 M16, grade: \"8.8\", gauge: 100, rows: [0]}\nparameters: {length: 100, welded: \
                 true, flange_width: 160, flange_thickness: 12, web_thickness: 10, web_height: \
                 30}\nfriction: {mu: 0}\nloads: [{name: PULL, end: top, at: bolt_plane, N: 60 \
-                kN}]\nanalysis: {kind: limit, max_passes: 1, mesh: {size: 20 mm}}\n";
+                kN}]\nanalysis: {kind: limit, max_passes: 1, mesh: {size: 30 mm}}\n";
     let sweep =
         format!("base: joint.yaml\naxes: {{\"loads.PULL.N\": [60 kN, 150 kN, 60 kN]}}\n{limits}");
     Bench::new().file("joint.yaml", base).file("sweep.yaml", sweep)
@@ -264,7 +264,12 @@ fn sweeps_share_a_cache() {
 #[test]
 fn memory_limits_are_added_up() {
     let bench = t_stubs("limits: {memory: 100000 GiB}\n");
-    let (_, err) = expect(&bench, &["batch", "sweep.yaml", "--jobs", "2"], 1);
+    // a mesher that ends at once: nothing needs to be solved
+    let mesher = bench.mesher("exit 7");
+    let mut command = bench.command(&["batch", "sweep.yaml", "--jobs", "2"]);
+    let run = command.env("BRACKET_GMSH", &mesher).output().expect("starts");
+    let err = String::from_utf8_lossy(&run.stderr);
+    assert_eq!(run.status.code(), Some(4), "{err}");
     assert!(err.contains("1 at once in place of 2"), "{err}");
 }
 

@@ -5,13 +5,15 @@ use super::answer::Answer;
 use crate::bench::Bench;
 use serde_json::Value;
 
-/// The joint of case 20 under a moment \[kN m\] on a coarse mesh.
+/// The joint of case 20 with a thinner plate under a moment \[kN m\], on a coarse mesh.
 fn under(moment: f64) -> Answer {
     let text = Answer::input("20-stiffness-with-column-bending.yaml")
         .replace("kind: elastic", "kind: elastoplastic")
-        .replace("My: 100 kN m", &format!("My: {moment} kN m"));
+        .replace("My: 100 kN m", &format!("My: {moment} kN m"))
+        .replace("thickness: 16 mm", "thickness: 10 mm")
+        .replace("size: auto", "layers: false");
     let bench = Bench::new().file("joint.yaml", text);
-    let coarse = ["--size-factor", "3", "--max-passes", "1"];
+    let coarse = ["--size-factor", "4", "--max-passes", "1"];
     Answer::from(bench, &[&["run", "joint.yaml", "--out", "out"], &coarse[..]].concat())
 }
 
@@ -52,9 +54,11 @@ fn a_small_moment_leaves_it_elastic_and_a_large_one_makes_plate_and_bolts_yield(
     };
     assert!(strain("PLATE_R") > 1e-3 && strain("PLATE_R") < 0.02, "{}", strain("PLATE_R"));
     assert!(strain("BOLT_R4P") > 1e-4 && strain("BEAM_R") == 0.0);
-    for words in
-        ["ULS1: largest plastic strain 0.", " % in PLATE_R at x, y, z = ", "yielded: PLATE_R"]
-    {
+    for words in [
+        "ULS1: largest plastic strain 0.",
+        " % in BOLT_R4P at x, y, z = ",
+        "yielded: BOLT_R4P, PLATE_R",
+    ] {
         assert!(large.said.contains(words), "lacks {words}: {}", large.said);
     }
     assert!(large.report.contains("The loaded face BEAM_RIGHT turns by"), "{}", large.report);

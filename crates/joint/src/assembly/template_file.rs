@@ -6,7 +6,9 @@ use bracket_base::diag::{Diagnostic, Diagnostics, did_you_mean};
 use bracket_base::later;
 use bracket_base::text_file;
 use bracket_base::yaml::{self, Document, Parsed};
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
 
 /// Where the files of the user's own templates are read.
 #[derive(Clone, Copy, Debug)]
@@ -52,8 +54,30 @@ pub fn load(name: &str, base: &Path) -> Result<(Template, Origin), Diagnostics> 
     read(name, Templates::Beside(base)).map(|r| (r.template, r.origin))
 }
 
+/// Shipped templates that this process has read, by name. A shipped template is the same for every
+/// spec, and to read it takes most of the time in which a joint is built.
+static READ: Mutex<BTreeMap<&'static str, Template>> = Mutex::new(BTreeMap::new());
+
 /// Reads a shipped template or a user's file as [`load`] does, from the given place.
 pub fn read(name: &str, files: Templates<'_>) -> Result<ReadTemplate, Diagnostics> {
+    let Some((shipped, _)) = SHIPPED.iter().find(|(n, _)| *n == name) else {
+        return read_file(name, files);
+    };
+    // a thread that ended in a panic leaves whole entries
+    let known = || READ.lock().unwrap_or_else(PoisonError::into_inner);
+    let found = known().get(shipped).cloned();
+    let template = match found {
+        Some(template) => template,
+        None => {
+            let template = read_file(name, files)?.template;
+            known().insert(shipped, template.clone());
+            template
+        }
+    };
+    Ok(ReadTemplate { template, origin: Origin::Shipped, texts: Vec::new() })
+}
+
+fn read_file(name: &str, files: Templates<'_>) -> Result<ReadTemplate, Diagnostics> {
     let base = match files {
         Templates::Beside(base) => base,
         Templates::Stored(_) => Path::new("."),

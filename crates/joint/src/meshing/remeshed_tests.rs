@@ -103,7 +103,7 @@ fn a_bolted_joint_stays_the_same_body() {
 #[test]
 fn the_paper_s_joint_stays_the_same_body() {
     let joint = paper_joint();
-    let (old, new, p) = remeshed(&joint, 2.5, 25.0);
+    let (old, new, p) = remeshed(&joint, 4.0, 40.0);
     assert!(p.body.len() > new.bodies.len(), "half layers are regions");
     check_kept(&joint, &old, &new, &p);
 }
