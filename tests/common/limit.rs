@@ -45,7 +45,13 @@ pub fn factors_of(name: &str, model: &AnalysisModel, pass: &LimitPass) -> [f64; 
 /// The same without a limit on the iterations.
 pub fn strict(name: &str, model: &AnalysisModel, pass: &LimitPass) -> [f64; 2] {
     for (program, r) in pass.runs() {
-        assert!(r.status.is_solution(), "{name} {}: {:?}", program.name(), r.trouble);
+        assert!(
+            r.status.is_solution(),
+            "{name} {}: {}, {:?}",
+            program.name(),
+            r.status.words(),
+            r.trouble
+        );
         assert_eq!(r.trouble, None, "{name}");
     }
     let bracket = pass.bracket.as_ref().unwrap();

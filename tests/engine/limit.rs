@@ -10,6 +10,7 @@ mod lower_first;
 mod mesh_pairs;
 mod random;
 mod random_joints;
+mod resultant_limits;
 mod rigid_bodies;
 mod shared_patterns;
 mod slip;

@@ -119,6 +119,8 @@ pub fn model_file(
         loads: loads(false),
         dead: loads(true),
         preload: preload_entries(assembly, mesh, symmetry_used),
+        cuts: Vec::new(),
+        resultant_limits: Vec::new(),
         adapt: None,
         symmetry: 1 << symmetry_used.len(),
     }

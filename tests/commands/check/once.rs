@@ -13,8 +13,8 @@ fn joint(moment: f64, kind: &str) -> String {
         "template: beam_to_column_end_plate\nmembers: {{column: {{profile: HEB140, steel: S235}}, \
          beam: {{profile: IPE270, steel: S235}}}}\nplate: {{thickness: 15}}\nbolts: {{size: M16, \
          grade: \"8.8\", rows: [-85, 85, 170]}}\nloads: [{{name: ULS1, end: beam_right, at: \
-         column_face, My: {moment} kN m}}]\nanalysis: {{kind: {kind}, max_passes: 1, mesh: {{layers: \
-         false}}}}\n"
+         column_face, My: {moment} kN m}}]\nanalysis: {{kind: {kind}, max_passes: 1, mesh: {{\
+         layers: false}}}}\n"
     )
 }
 

@@ -87,7 +87,11 @@ fn power_by_quadrature() {
         for flow in [Flow::Plain, Flow::Split] {
             let c = certify_upper(
                 &m,
-                &VelocityField { nodes: DisplacementField { u: u.clone() }, flow },
+                &VelocityField {
+                    nodes: DisplacementField { u: u.clone() },
+                    flow,
+                    limit_motions: vec![],
+                },
                 0,
             );
             let power = |loads| -> f64 {

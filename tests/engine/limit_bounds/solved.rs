@@ -50,7 +50,8 @@ fn bracket(name: &str, at: &AnalysisModel, further: &AnalysisModel) -> FactorBra
             .solve(&SolveOptions::default());
     assert!(k.status.is_solution(), "{name}");
     let u = kinematic.map.expand(&k.x).chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect();
-    let field = VelocityField { nodes: DisplacementField { u }, flow: Flow::Split };
+    let field =
+        VelocityField { nodes: DisplacementField { u }, flow: Flow::Split, limit_motions: vec![] };
     let upper = limit_upper::project(at, &field, 1, &Patterns::default()).unwrap();
     println!("{name}: {:?}", upper.certificate);
     let bracket = FactorBracket::new(
@@ -116,7 +117,8 @@ fn limit(name: &str, m: &AnalysisModel, dead: Option<&StressField>) -> FactorBra
             .unwrap()
             .solve(&options);
     let u = kinematic.map.expand(&k.x).chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect();
-    let field = VelocityField { nodes: DisplacementField { u }, flow: Flow::Split };
+    let field =
+        VelocityField { nodes: DisplacementField { u }, flow: Flow::Split, limit_motions: vec![] };
     let upper = limit_upper::project(m, &field, 0, &Patterns::default()).unwrap();
     println!(
         "{name}: solver {} {factor:.9} and {} {:.9}",

@@ -16,8 +16,11 @@ use bracket::recover::limit_upper::{Upper, UpperError};
 use bracket::solve::Patterns;
 
 fn project(case: &Case, flow: Flow, noise: f64, random: &mut Random) -> Result<Upper, UpperError> {
-    let field =
-        VelocityField { nodes: DisplacementField { u: case.velocities(noise, random) }, flow };
+    let field = VelocityField {
+        nodes: DisplacementField { u: case.velocities(noise, random) },
+        flow,
+        limit_motions: vec![],
+    };
     limit_upper::project(&case.model, &field, 0, &Patterns::default())
 }
 
@@ -57,7 +60,7 @@ fn exact_fields_with_noise() {
 
 fn raw(case: &Case, u: Vec<[f64; 3]>, flow: Flow) -> VelocityField {
     assert_eq!(u.len(), Tet10Space::new(&case.model.mesh).nodes.len());
-    VelocityField { nodes: DisplacementField { u }, flow }
+    VelocityField { nodes: DisplacementField { u }, flow, limit_motions: vec![] }
 }
 
 fn everywhere(case: &Case, u: impl Fn(usize, [f64; 3]) -> [f64; 3]) -> Vec<[f64; 3]> {

@@ -110,6 +110,7 @@ fn case(name: &str) -> CaseResult {
         welds: vec![],
         support_slip: vec![],
         tie_slip: vec![],
+        resultants: vec![],
         peak_contact_pressure: Some(PeakPressure { kinematic: Some(247.31), static_: Some(268.4) }),
         warnings: vec![],
     }

@@ -6,6 +6,7 @@
 //! face. The identity Σ contributions = gap, asserted in every run, ties both certificates
 //! together.
 
+use crate::certify::cut_limits;
 use crate::certify::faces::{
     FaceKey, FaceRole, InterfaceFace, contact_faces, roles, tie_faces, weld_faces,
 };
@@ -21,7 +22,7 @@ use crate::elements::tet10;
 use crate::mesh::numbering::FaceNumbering;
 use crate::mesh::tet::FACES;
 use crate::model::AnalysisModel;
-use crate::model::analysis::{BoundaryFace, Preload, RigidFace, SurfaceLoad};
+use crate::model::analysis::{RigidFace, SurfaceLoad};
 use crate::model::loads::{Loads, face_corners, face_nodes};
 use crate::model::opening::bernstein_at;
 use bracket_base::math::Sum;
@@ -156,7 +157,8 @@ pub fn certify_stress(
     let strain_energy = energy.value();
     let mut tensions = Vec::with_capacity(model.preload.len());
     for bolt in &model.preload {
-        let (tension, torn) = cut_tension(model, field, bolt);
+        let (resultant, torn) = cut_limits::through(model, field, &bolt.faces);
+        let tension = vec3::dot(resultant, bolt.axis);
         energy.add(-bolt.closure.unwrap_or(0.0) * tension);
         jump = jump.max(torn);
         tensions.push(tension);
@@ -168,6 +170,8 @@ pub fn certify_stress(
         jump = jump.max(sides_differ(model, field, &f, &r));
     }
     let at_tie = |f| sides_differ(model, field, f, &contact_tractions(model, field, f, None));
+    let torn = model.cuts.iter().map(|c| cut_limits::through(model, field, &c.faces).1);
+    jump = jump.max(largest(torn));
     jump = jump.max(largest(tie_faces(model).iter().map(at_tie)));
     for f in &contacts {
         let r = contact_tractions(model, field, f, roles.get(&(f.a.tet, f.a.local)));
@@ -216,26 +220,6 @@ fn sides_differ<L>(
             vec3::norm(vec3::sub(mandel::traction(&other[i], vec3::scale(-1.0, n)), r[i]))
         }),
     )
-}
-
-/// Tension of a preloaded bolt along its axis \[N\], and the largest jump of traction across the
-/// cut \[MPa\].
-fn cut_tension(model: &AnalysisModel, field: &StressField, bolt: &Preload) -> (f64, f64) {
-    let (mut tension, mut torn) = (Sum::default(), 0.0f64);
-    for f in &bolt.faces {
-        let area = vec3::area_vector(&f.nodes_a.map(|n| model.mesh.nodes[n as usize]));
-        let size = vec3::norm(area);
-        let n = vec3::scale(1.0 / size, area);
-        let side = |face: &BoundaryFace, nodes| {
-            stress_at(model, field, (face.tet, face.local), nodes).map(|s| mandel::traction(&s, n))
-        };
-        let (a, b) = (side(&f.a, f.nodes_a), side(&f.b, f.nodes_b));
-        for i in 0..3 {
-            torn = torn.max(vec3::norm(vec3::sub(a[i], b[i])));
-            tension.add(size / 3.0 * vec3::dot(a[i], bolt.axis));
-        }
-    }
-    (tension.value(), torn)
 }
 
 /// Largest traction jump on the inner face between subtets k and l.

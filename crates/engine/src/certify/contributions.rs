@@ -7,13 +7,15 @@
 //!
 //! Limit analysis, at unit power of the live loads:
 //! `λ_up − λ_low = Σ_K ∫ π(ε) − σ:ε + Σ_contact ∫ r_N g_N + r_T·g_T + Σ_weld (D − ∫ t·g) + Σ_slip
-//! (D + ∫ σn·v) + Σ_tie (D − ∫ t·[v])`, with dissipations by the rule of the upper bound; slip
-//! faces are those of [`crate::certify::slip`], ties those of [`crate::certify::ties`]. Every term
-//! is ≥ 0 where the stress is inside the yield surface.
+//! (D + ∫ σn·v) + Σ_tie (D − ∫ t·[v]) + Σ_limit (cost − R·jump)`, with dissipations by the rule of
+//! the upper bound; slip faces are those of [`crate::certify::slip`], ties those of
+//! [`crate::certify::ties`], limits those of [`crate::certify::cut_limits`]. Every term is ≥ 0
+//! where the stress is inside the yield surface and within the limits.
 //!
 //! # Source
 //! Ladevèze and Pelle; section 4.1 of the paper, equations (11) and (12).
 
+use crate::certify::cut_limits;
 use crate::certify::faces::{
     ContactFace, InterfaceFace, TieFace, WeldFace, contact_faces, roles, tie_faces, weld_faces,
 };
@@ -54,17 +56,20 @@ pub struct Contributions {
     pub slips: Vec<f64>,
     /// Limit analysis: contribution of each tie face, in the order of [`tie_faces`].
     pub ties: Vec<f64>,
+    /// Limit analysis: contribution of each resultant limit.
+    pub resultants: Vec<f64>,
 }
 
 impl Contributions {
     /// Their sum: `Π_p + Π_c`, or `λ_up − λ_low`.
     pub fn total(&self) -> f64 {
         let faces = self.contacts.iter().chain(&self.welds).chain(&self.slips).chain(&self.ties);
-        Sum::of(self.elements.iter().chain(faces).copied())
+        Sum::of(self.elements.iter().chain(faces).chain(&self.resultants).copied())
     }
 
     /// Contribution of each macro tet, with those of an interface face halved between the tets at
-    /// its two sides and those of a slip face added to its tet.
+    /// its two sides, those of a slip face added to its tet and those of a resultant limit spread
+    /// over the tets on side A of its cuts.
     pub fn by_tet(&self, model: &AnalysisModel) -> Vec<f64> {
         let mut tets = self.elements.clone();
         let contacts = contact_faces(model).into_iter().map(|f| (f.a, f.b)).zip(&self.contacts);
@@ -78,6 +83,11 @@ impl Contributions {
                 }
                 None => tets[a.tet as usize] += c,
             }
+        }
+        for (limit, c) in model.resultant_limits.iter().zip(&self.resultants) {
+            let cuts = limit.cuts.iter().flat_map(|cut| &model.cuts[cut.0].faces);
+            let part = c / cuts.clone().count().max(1) as f64;
+            cuts.for_each(|f| tets[f.a.tet as usize] += part);
         }
         if !self.slips.is_empty() {
             let faces = slip_faces(model).into_iter().zip(&self.slips);
@@ -163,9 +173,10 @@ pub fn limit_contributions(model: &AnalysisModel, pair: &LimitPair) -> Contribut
         ties::dissipation_of(model, &space, f, u) + work_on_jump(model, &space, &v.nodes, &r, f)
     };
     let mut ties: Vec<f64> = tie_faces(model).iter().map(tie).collect();
+    let mut resultants = cut_limits::contributions(model, v, s);
     let faces = contacts.iter_mut().chain(&mut welds).chain(&mut slips).chain(&mut ties);
-    faces.for_each(|c| *c /= live_power);
-    Contributions { elements, contacts, welds, slips, ties }
+    faces.chain(&mut resultants).for_each(|c| *c /= live_power);
+    Contributions { elements, contacts, welds, slips, ties, resultants }
 }
 
 /// Mean of `σ:ε` over a tet, both linear in it.

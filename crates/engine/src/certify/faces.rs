@@ -19,7 +19,7 @@ pub struct FaceRole<'a> {
     pub loads: Vec<(f64, &'a SurfaceLoad)>,
     /// True in contact, at a weld or at a tie: the traction is that of the interface.
     pub contact: bool,
-    /// True on a preloaded cut: the traction is that of the other side.
+    /// True on a cut: the traction is that of the other side.
     pub cut: bool,
 }
 
@@ -70,7 +70,8 @@ pub fn roles(
             roles.entry(key(f)).or_default().contact = true;
         }
     }
-    for f in model.preload.iter().flat_map(|p| &p.faces) {
+    let cuts = model.preload.iter().flat_map(|p| &p.faces);
+    for f in cuts.chain(model.cuts.iter().flat_map(|c| &c.faces)) {
         roles.entry(key(&f.a)).or_default().cut = true;
         roles.entry(key(&f.b)).or_default().cut = true;
     }

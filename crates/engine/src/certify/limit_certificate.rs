@@ -4,7 +4,8 @@
 //! friction cones. Upper bound: velocities that keep the volume and satisfy supports and contact
 //! law; the factor is `(dissipation − power of dead loads) / power of live loads`. The dissipation
 //! includes that of slip on held faces ([`crate::certify::slip`]) and along ties
-//! ([`crate::certify::ties`]). In limit analysis initial gaps
+//! ([`crate::certify::ties`]), and the cost of motions across cuts whose resultants are limited
+//! ([`crate::certify::cut_limits`]). In limit analysis initial gaps
 //! count as closed, and bodies without a yield strength are rigid.
 //!
 //! Equations hold to rounding only. An exactly admissible stress or velocity lies nearby; its
@@ -12,10 +13,11 @@
 //! this allowance.
 
 use crate::certify::certificate::{add_work, certify_stress};
+use crate::certify::cut_limits;
 use crate::certify::dissipation::mean_norm;
 use crate::certify::faces::{contact_faces, weld_faces};
 use crate::certify::fields::StressField;
-use crate::certify::measures::{largest, ratio};
+use crate::certify::measures::{largest, largest_of_each, ratio};
 use crate::certify::rigid_fit::fit_rigid;
 use crate::certify::slip;
 use crate::certify::ties;
@@ -56,6 +58,8 @@ pub struct LowerCertificate {
     pub limiting_part: Option<u32>,
     /// Largest traction of a weld over its strength; `None` without welds.
     pub weld: Option<f64>,
+    /// Largest utilisation of a resultant limit; `None` without limits.
+    pub resultant: Option<f64>,
     /// Allowance for the residuals, as a utilisation: a field in exact equilibrium differs by no
     /// more.
     pub cover: f64,
@@ -65,12 +69,10 @@ pub struct LowerCertificate {
 }
 
 impl LowerCertificate {
-    /// Largest utilisation of yield surfaces and welds; NaN if either of them is NaN.
+    /// Largest utilisation of yield surfaces, welds and resultant limits; NaN if one of them is.
     pub fn worst(&self) -> f64 {
-        match self.weld {
-            Some(weld) if weld.is_nan() || weld > self.utilisation => weld,
-            _ => self.utilisation,
-        }
+        let others = [self.weld, self.resultant].into_iter().flatten();
+        others.fold(self.utilisation, |worst, u| if u.is_nan() || u > worst { u } else { worst })
     }
 }
 
@@ -84,7 +86,7 @@ pub struct UpperCertificate {
     /// max ‖ε‖ h / max |u| in the others.
     pub rigid: f64,
     /// max |u − u_d| / max |u| on supports and rigid faces; on slip faces the normal part, at ties
-    /// that of the jump.
+    /// that of the jump; across cuts the difference from the motions of the limits.
     pub compatibility: f64,
     /// Largest violation of the contact law by a Bernstein coefficient / max |u|; `None` without
     /// contact.
@@ -100,6 +102,8 @@ pub struct UpperCertificate {
     pub supports: Vec<f64>,
     /// Dissipation of the slip along each tie, an upper bound \[N mm per unit of time\].
     pub ties: Vec<f64>,
+    /// Cost of the motion of each resultant limit \[N mm per unit of time\].
+    pub resultants: Vec<f64>,
     /// Power of the live loads \[N mm per unit of time\]; 0 where it is rounding.
     pub live_power: f64,
     /// Power of the dead loads \[N mm per unit of time\].
@@ -149,8 +153,9 @@ pub fn hidden_utilisation(model: &AnalysisModel, field: &StressField, residual: 
 pub fn hidden_at(model: &AnalysisModel, stress: f64, residual: f64) -> f64 {
     // unbalanced forces of one sign on every face add up over L/h faces and bend a section one
     // element deep with the lever arm L
-    let strengths =
-        model.yield_radii().into_iter().flatten().chain(model.welds.iter().map(|w| w.strength));
+    let limits = model.resultant_limits.iter().map(|l| model.mean_strength(l));
+    let welds = model.welds.iter().map(|w| w.strength);
+    let strengths = model.yield_radii().into_iter().flatten().chain(welds).chain(limits);
     let weakest = strengths.fold(f64::INFINITY, f64::min);
     6.0 * slenderness(model).powi(2) * residual * stress / weakest
 }
@@ -173,6 +178,7 @@ pub fn certify_lower(model: &AnalysisModel, field: &StressField, factor: f64) ->
         utilisation,
         limiting_part: tet.map(|e| model.tet_part[e]),
         weld: base.weld,
+        resultant: largest_of_each(&cut_limits::utilisations(model, field)),
         cover: hidden_utilisation(model, field, residual),
         scaled_by: 1.0,
     }
@@ -269,7 +275,9 @@ pub fn certify_upper(
         let power = if load.dead { &mut dead } else { &mut live };
         add_work(model, &space, u, load, power);
     }
-    let mut off = slip::off_supports(model, &space, u).max(ties::opening(model, &space, u));
+    let mut off = slip::off_supports(model, &space, u)
+        .max(ties::opening(model, &space, u))
+        .max(cut_limits::mismatch(model, &space, field));
     for r in &model.rigid {
         let (motion, error) = fit_rigid(model, &space, u, r);
         off = off.max(error);
@@ -287,7 +295,8 @@ pub fn certify_upper(
     let welds = welds::dissipations(model, u);
     let supports = slip::dissipations(model, &space, u);
     let ties = ties::dissipations(model, &space, u);
-    let interfaces = welds.iter().chain(&supports).chain(&ties).copied();
+    let resultants = cut_limits::costs(model, field);
+    let interfaces = welds.iter().chain(&supports).chain(&ties).chain(&resultants).copied();
     let total = Sum::of(dissipation.iter().map(|d| d.value()).chain(interfaces));
     // the flow that removes a volume change is larger by the inf-sup constant, about 10 in a
     // compact body and more in a slender one; every other residual moves a neighbouring element in
@@ -302,7 +311,8 @@ pub fn certify_upper(
     let weld_capacity =
         Sum::of(weld_faces(model).iter().map(|f| f.law.strength * f.normal(model).1));
     let slip_capacity = slip::capacity(model, &space, u) + ties::capacity(model, &space, u);
-    let capacity = capacity / smallest + weld_capacity + slip_capacity;
+    let limits = Sum::of(model.resultant_limits.iter().map(|l| l.at_most));
+    let capacity = capacity / smallest + weld_capacity + slip_capacity + limits;
     let hidden = 10.0 * slenderness(model) * residual * capacity;
     let rounding = 1e-13 * (total + dead.value().abs());
     // a motion on which the loads do no work has rounding in their direction, which proves nothing
@@ -319,6 +329,7 @@ pub fn certify_upper(
         welds,
         supports,
         ties,
+        resultants,
         live_power: live,
         dead_power: dead.value(),
         cover: (hidden + rounding) / live.abs(),

@@ -6,6 +6,7 @@ pub mod bracket;
 pub mod certificate;
 pub mod contributions;
 pub mod coulomb_shift;
+pub mod cut_limits;
 pub mod dissipation;
 pub mod faces;
 pub mod fields;

@@ -38,7 +38,7 @@ pub struct UnlimitedCertificate {
     /// Certificate of the field of the dead loads alone; `None` without dead loads or without such
     /// a field.
     pub dead: Option<LowerCertificate>,
-    /// True for dead loads without a field: nothing is proved.
+    /// True for dead loads without a field, and with resultant limits: nothing is proved.
     pub unproved: bool,
 }
 
@@ -101,6 +101,6 @@ pub fn certify_unlimited(
             ratio(largest(tractions), size)
         }),
         dead: dead.filter(|_| loaded).map(|d| certify_lower(model, d, 0.0)),
-        unproved: loaded && dead.is_none(),
+        unproved: loaded && dead.is_none() || !model.resultant_limits.is_empty(),
     }
 }

@@ -19,6 +19,9 @@ pub struct VelocityField {
     /// Elements of the bodies with a yield strength; other bodies are rigid and consist of plain
     /// elements.
     pub flow: Flow,
+    /// Motions of the resultant limits of the model, limit by limit
+    /// ([`crate::model::resultant_limit`]) \[mm per unit of time\]; empty without limits.
+    pub limit_motions: Vec<f64>,
 }
 
 /// A tet in which the velocity is quadratic: a plain element or a subtet of a split one.

@@ -6,6 +6,7 @@
 
 use super::file::{Bounds, Gap};
 use super::opening::ConeShift;
+use super::resultant_limit::ResultantLimit;
 use crate::mesh::TetMesh;
 use crate::mesh::split::{OpenPair, TetFace};
 use crate::model::AnalysisKind;
@@ -224,6 +225,15 @@ pub struct Preload {
     pub faces: Vec<FacePair>,
 }
 
+/// A cross-section of a body whose resultant may be limited.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cut {
+    /// Name of the physical surface.
+    pub name: String,
+    /// Its face pairs, side A first; none where the kind of analysis has no resultant limits.
+    pub faces: Vec<FacePair>,
+}
+
 /// Everything the two programs need.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AnalysisModel {
@@ -261,6 +271,10 @@ pub struct AnalysisModel {
     pub rigid: Vec<RigidFace>,
     /// Preloaded bolts.
     pub preload: Vec<Preload>,
+    /// Cross-sections whose resultants are limited.
+    pub cuts: Vec<Cut>,
+    /// Limits on these resultants, in limit analysis.
+    pub resultant_limits: Vec<ResultantLimit>,
     /// Surface loads.
     pub surface_loads: Vec<SurfaceLoad>,
     /// Body loads.

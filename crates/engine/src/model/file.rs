@@ -48,6 +48,12 @@ pub struct ModelFile {
     /// Preloaded bolts.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub preload: Vec<PreloadEntry>,
+    /// Cross-sections of bodies whose resultants `resultant_limits` names.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub cuts: Vec<CutEntry>,
+    /// Limit analysis: limits on the forces through cuts.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub resultant_limits: Vec<ResultantLimitEntry>,
     /// Mesh adaptation; absent: the given mesh only.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub adapt: Option<AdaptEntry>,
@@ -326,6 +332,45 @@ pub struct PreloadEntry {
     /// Preload of the meshed part of the bolt \[N\], > 0: the tension in the cut before the loads
     /// come.
     pub force: f64,
+}
+
+/// A cross-section of a body.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CutEntry {
+    /// The body.
+    pub body: String,
+    /// Physical surface of interior mesh faces that severs the body.
+    pub cut: String,
+    /// Direction out of side A; the resultant is the force of side B on side A, so that tension is
+    /// positive along it.
+    pub axis: [f64; 3],
+}
+
+/// A limit on forces through cuts: `along · R + ‖across R‖ ≤ at_most`, R the sum of the resultants
+/// of `cuts` less that of `minus`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ResultantLimitEntry {
+    /// Name in messages and results.
+    pub name: String,
+    /// Cuts whose resultants are added.
+    pub cuts: Vec<String>,
+    /// Cuts whose resultants are subtracted.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub minus: Vec<String>,
+    /// Factors of the linear part.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub along: [f64; 3],
+    /// Rows of the norm, at most three.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub across: Vec<[f64; 3]>,
+    /// Largest value \[N\], > 0.
+    pub at_most: f64,
+}
+
+fn is_zero(v: &[f64; 3]) -> bool {
+    *v == [0.0; 3]
 }
 
 /// Limits of mesh adaptation.

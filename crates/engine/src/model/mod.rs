@@ -6,9 +6,11 @@ pub mod contact;
 pub mod error;
 pub mod file;
 pub mod friction_law;
+pub mod limit_motions;
 pub mod loads;
 pub mod opening;
 pub mod resolve;
+pub mod resultant_limit;
 
 pub use analysis::AnalysisModel;
 pub use analysis_kind::AnalysisKind;

@@ -3,6 +3,7 @@
 
 mod actions;
 mod claims;
+mod cut_faces;
 mod faults;
 mod held;
 mod interfaces;
@@ -12,6 +13,7 @@ mod motions;
 mod names;
 mod parts;
 mod preload;
+mod resultants;
 mod ties;
 
 use super::analysis::AnalysisModel;
@@ -135,6 +137,8 @@ pub fn resolve(
     let rigid = held::rigid_faces(file, &scene, &claims, &mut faults);
     held::check_twice(file, &supports, &ground, &rigid, &mut faults);
     let cuts = preload::read(file, &scene, &claims, &mut faults, &mut notes);
+    let (sections, resultant_limits) =
+        resultants::read(file, &scene, &claims, &supports, &mut faults, &mut notes);
     let (surface_loads, body_loads) = actions::loads(file, &scene, &claims, &mut faults);
     faults.into_result()?;
 
@@ -145,15 +149,18 @@ pub fn resolve(
     };
     let open: Vec<[TetFace; 2]> = open
         .chain(cuts.iter().flat_map(|c| c.faces.iter().copied()))
+        .chain(sections.iter().flat_map(|c| c.faces.iter().copied()))
         .chain(tied.iter().flat_map(|t| t.faces.iter().copied()))
         .collect();
     let mut cut = split(&mesh, &table, &open);
     let mut of_cuts = cut.pairs.split_off(claims.open.iter().map(|o| o.faces.len()).sum());
-    let of_ties = of_cuts.split_off(cuts.iter().map(|c| c.faces.len()).sum());
+    let mut of_sections = of_cuts.split_off(cuts.iter().map(|c| c.faces.len()).sum());
+    let of_ties = of_sections.split_off(sections.iter().map(|c| c.faces.len()).sum());
     let (interfaces, welds) = interfaces::pairs(&claims, &cut.pairs);
-    parts::join(&mut cut, of_cuts.iter().chain(&of_ties));
+    parts::join(&mut cut, of_cuts.iter().chain(&of_sections).chain(&of_ties));
     let ties = ties::opened(tied, &of_ties);
     let preload = preload::preloads(cuts, &of_cuts, &cut)?;
+    let cuts = resultants::opened(sections, &of_sections, &cut)?;
     let parts = parts::names(&cut, &mut notes);
     if surface_loads.is_empty()
         && body_loads.is_empty()
@@ -179,6 +186,8 @@ pub fn resolve(
         supports,
         rigid,
         preload,
+        cuts,
+        resultant_limits,
         surface_loads,
         body_loads,
         free_modes: Vec::new(),

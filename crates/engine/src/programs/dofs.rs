@@ -15,8 +15,10 @@ pub struct DofMap {
     /// The first `plain` unknowns are full unknowns, of one point or of the points of a tie; then
     /// come motions of rigid faces.
     pub plain: usize,
-    /// Number of closures of preloaded cuts; they are the last unknowns.
+    /// Number of closures of preloaded cuts; they follow the motions of rigid faces.
     pub closures: usize,
+    /// Number of unknowns of the motions of resultant limits; they are the last unknowns.
+    pub motions: usize,
     /// Prescribed closures: unknown and value \[mm\].
     pub frozen: Vec<(usize, f64)>,
     /// Block (node, face or rigid motion) of each unknown, for fill-reducing orderings.
@@ -51,7 +53,7 @@ impl DofMap {
 
     /// Number of motions of rigid faces.
     pub fn rigid(&self) -> usize {
-        self.n - self.plain - self.closures
+        self.n - self.plain - self.closures - self.motions
     }
 
     /// True when full unknown `i` follows others: across a preloaded cut, or along an oblique face

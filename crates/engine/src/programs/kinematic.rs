@@ -120,7 +120,8 @@ fn numbering(
     let slips = if slipping { slip_faces(model) } else { Vec::new() };
     let points = Points { model, space };
     let tied = TiedPoints::new(model, &points, slipping);
-    let (map, rigid) = rigid_motions::number_unknowns(model, &points, &pieces, &slips, &tied)?;
+    let (map, rigid) =
+        rigid_motions::number_unknowns(model, &points, &pieces, &slips, &tied, slipping)?;
     Ok(Numbering { pieces, slips, tied, map, rigid })
 }
 
@@ -274,6 +275,7 @@ impl Kinematic {
                 points.push(point);
             }
         }
+        cuts::append_limits(model, &map, &mut program);
         map.frozen.iter().for_each(|&(k, closure)| program.freeze(k, closure));
         let (mut own, mut split) = (Vec::new(), Vec::new());
         let tets = model.mesh.tets.len();
@@ -317,6 +319,11 @@ impl Kinematic {
     /// Displacements (velocities in limit analysis) of the nodes from the program's unknowns.
     pub fn nodal(&self, x: &[f64]) -> Vec<V3> {
         self.map.expand(x).chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect()
+    }
+
+    /// The motions of the resultant limits from the program's unknowns, limit by limit.
+    pub fn limit_motions(&self, x: &[f64]) -> Vec<f64> {
+        x[self.map.n - self.map.motions..self.map.n].to_vec()
     }
 
     /// The Bernstein coefficients of the jump on every weld face as rows on the shared unknowns,

@@ -8,6 +8,7 @@ use crate::mesh::numbering::FaceNumbering;
 use crate::model::ModelError;
 use crate::model::analysis::{AnalysisModel, Preload};
 use crate::model::loads::Loads;
+use crate::model::resultant_limit::ResultantLimit;
 use crate::programs::constraints::FacePoints;
 use crate::programs::cuts;
 use crate::programs::dofs::DofMap;
@@ -180,14 +181,16 @@ fn movers(
 }
 
 /// Numbers the unknowns of a program: three per point, less the held ones, plus the motions of
-/// rigid faces and pieces, plus the closures of preloaded cuts. Supports hold only the normal
-/// direction of `slips`; `tied` points share unknowns.
+/// rigid faces and pieces, plus the closures of preloaded cuts, plus the motions of resultant
+/// limits if there are `limits`. Supports hold only the normal direction of `slips`; `tied` points
+/// share unknowns.
 pub fn number_unknowns(
     model: &AnalysisModel,
     points: &impl FacePoints,
     pieces: &RigidPieces,
     slips: &[SlipFace],
     tied: &TiedPoints,
+    limits: bool,
 ) -> Result<(DofMap, Vec<RigidMotions>), ModelError> {
     let claims = claims(model, points, pieces, tied)?;
     let moved = |p| (0..3).any(|d| claims.contains_key(&(tied.first(p, d), d)));
@@ -196,7 +199,7 @@ pub fn number_unknowns(
     for p in (0..points.count()).filter(|p| tied.contains(*p)) {
         (0..3).for_each(|d| fixed[tied.first(p, d)][d] |= fixed[p][d]);
     }
-    let followers = cuts::followers(model, points, &mut fixed, moved)?;
+    let followers = cuts::followers(model, points, &mut fixed, moved, |p| tied.contains(p))?;
     let mut combinations: Vec<Vec<(u32, f64)>> = vec![Vec::new(); 3 * points.count()];
     let mut block = Vec::new();
     for p in (0..points.count()).filter(|p| !followers.contains_key(p)) {
@@ -241,18 +244,26 @@ pub fn number_unknowns(
         let faces = members.iter().zip(basis).filter(|(o, _)| **o < model.rigid.len());
         out.push(RigidMotions { first, count, faces: faces.map(|(o, b)| (*o, b)).collect() });
     }
+    // the cuts of preloaded bolts have no faces in limit analysis, so there are no closures
+    let tightened = model.preload.iter().any(|bolt| !bolt.faces.is_empty());
+    let closures = if tightened { model.preload.len() } else { 0 };
+    let motions = if limits { model.limit_motions() } else { 0 };
     let first = block.len();
-    cuts::follow(model, &followers, first, &mut combinations);
+    let begin = [tightened.then_some(first), limits.then_some(first + closures)];
+    cuts::follow(model, &followers, begin, &mut combinations);
     for p in (0..points.count()).filter(|p| tied.contains(*p)) {
         for d in (0..3).filter(|&d| tied.first(p, d) != p) {
             combinations[3 * p + d] = combinations[3 * tied.first(p, d) + d].clone();
         }
     }
-    // the cuts have no faces in limit analysis, so there are no closures
-    let closures = if followers.is_empty() { 0 } else { model.preload.len() };
     block.extend((0..closures).map(|i| rigid_block + (groups + i) as u32));
+    let limited = model.resultant_limits.iter().enumerate().filter(|_| limits);
+    let block_of = |(i, limit): (usize, &ResultantLimit)| {
+        std::iter::repeat_n(rigid_block + (groups + closures + i) as u32, limit.motions())
+    };
+    block.extend(limited.flat_map(block_of));
     let mut map = DofMap::new(combinations, plain, block);
-    map.closures = closures;
+    (map.closures, map.motions) = (closures, motions);
     let given = |(i, bolt): (usize, &Preload)| bolt.closure.map(|value| (first + i, value));
     map.frozen = model.preload.iter().take(closures).enumerate().filter_map(given).collect();
     Ok((map, out))

@@ -105,7 +105,7 @@ fn numbering(
     let pieces = if limit { RigidPieces::unyielding(model) } else { RigidPieces::default() };
     let points = Points { mesh: &model.mesh, faces };
     let tied = TiedPoints::new(model, &points, false);
-    let (map, rigid) = rigid_motions::number_unknowns(model, &points, &pieces, &[], &tied)?;
+    let (map, rigid) = rigid_motions::number_unknowns(model, &points, &pieces, &[], &tied, limit)?;
     Ok((pieces, map, rigid))
 }
 
@@ -216,6 +216,7 @@ impl<'a> Static<'a> {
                 vertices.push(v);
             }
         }
+        cuts::append_limits(model, &map, &mut program);
         map.frozen.iter().for_each(|&(k, closure)| program.freeze(k, closure));
         let mut own = Vec::new();
         let tets = model.mesh.tets.len();

@@ -5,6 +5,7 @@
 //! is inside: `c σ + (1 − c) σ_d` is in equilibrium with `c factor · live + dead`. Without dead
 //! loads σ_d is zero.
 
+use crate::certify::cut_limits;
 use crate::certify::faces::{contact_faces, roles, weld_faces};
 use crate::certify::fields::StressField;
 use crate::certify::limit_certificate::{LowerCertificate, certify_lower, utilisation};
@@ -171,7 +172,8 @@ fn part_inside(
     let radii = model.yield_radii();
     let Some(dead) = dead else {
         let welds = largest_of_each(&welds::utilisations(model, field)).unwrap_or(0.0);
-        let worst = utilisation(model, field).0.max(welds);
+        let limits = largest_of_each(&cut_limits::utilisations(model, field)).unwrap_or(0.0);
+        let worst = utilisation(model, field).0.max(welds).max(limits);
         return if worst > room { room / worst } else { 1.0 };
     };
     let mut c = 1.0f64;
@@ -197,6 +199,15 @@ fn part_inside(
             };
             c = largest_part(c, slack);
         }
+    }
+    let (r, d) = (cut_limits::resultants(model, field), cut_limits::resultants(model, dead));
+    for limit in &model.resultant_limits {
+        let (r, d) = (limit.resultant(&r), limit.resultant(&d));
+        let slack = |c: f64| {
+            let mixed = vec3::add(vec3::scale(c, r), vec3::scale(1.0 - c, d));
+            room * limit.at_most - limit.value_of(mixed)
+        };
+        c = largest_part(c, slack);
     }
     let (here, there) = (roles(model, Loads::at(factor)), roles(model, Loads::DEAD));
     let contacts = contact_faces(model);

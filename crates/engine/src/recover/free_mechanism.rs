@@ -61,7 +61,12 @@ pub fn find(model: &AnalysisModel) -> Result<Option<FreeMechanism>, RecoverError
     };
     let x = cleaned(&program, &modes, &x);
     let u = kinematic.nodal(&x);
-    let field = VelocityField { nodes: DisplacementField { u }, flow: Flow::Split };
+    // no cut opens: that costs
+    let field = VelocityField {
+        nodes: DisplacementField { u },
+        flow: Flow::Split,
+        limit_motions: vec![0.0; model.limit_motions()],
+    };
     let certificate = certify_free(model, &field);
     Ok(is_free(&certificate).then_some(FreeMechanism { field, certificate }))
 }

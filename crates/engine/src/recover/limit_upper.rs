@@ -115,13 +115,17 @@ pub fn project(
     let live = kinematic.limit_forces(model, field.flow, Loads::LIVE);
     let power_on = |x: &[f64]| Sum::of(live.iter().zip(x).map(|(f, u)| f * u));
     let mut x = nearest_unknowns(&kinematic.map, &kinematic.rigid, |i| field.nodes.u[i / 3][i % 3]);
+    let first = kinematic.map.n - kinematic.map.motions;
+    x[first..].iter_mut().zip(&field.limit_motions).for_each(|(x, m)| *x = *m);
     let before = power_on(&x);
     projector.keep_volume(&mut x);
     let power = power_on(&x);
     let opened = projector.opened(x);
     let certified = opened.iter().filter(|x| power_on(x) > LEAST_POWER * before.abs()).map(|x| {
         let u = kinematic.nodal(x);
-        let field = VelocityField { nodes: DisplacementField { u }, flow: field.flow };
+        let limit_motions = kinematic.limit_motions(x);
+        let field =
+            VelocityField { nodes: DisplacementField { u }, flow: field.flow, limit_motions };
         let certificate = certify_upper(model, &field, subdivisions);
         Upper { field, certificate }
     });

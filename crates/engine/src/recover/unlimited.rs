@@ -28,7 +28,10 @@ pub fn find<E>(
     model: &AnalysisModel,
     dead: impl FnOnce() -> Result<Option<StressField>, E>,
 ) -> Result<Option<Unlimited>, E> {
-    // a rigid body carries more than pressures
+    // a rigid body carries more than pressures, and a limited resultant has a limit
+    if !model.resultant_limits.is_empty() {
+        return Ok(None);
+    }
     if model.yield_radii().iter().any(Option::is_none) {
         return Ok(None);
     }

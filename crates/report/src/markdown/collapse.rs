@@ -4,6 +4,7 @@
 use crate::document::Doc;
 use crate::document::table::Table;
 use crate::figures::{Rounding, bracket, percent_up, significant};
+use crate::result::case_result::ResultantUse;
 use crate::result::result_file::CaseResult;
 use crate::result::result_file::FrictionModel;
 use crate::result::result_file::Quantity;
@@ -139,13 +140,38 @@ pub(crate) fn mechanism(doc: &mut Doc, case: &CaseResult) {
         let supports =
             case.support_slip.iter().map(|s| (say!("slip on support {}", &s.support), s.share));
         let ties = case.tie_slip.iter().map(|s| (say!("slip along {}", &s.tie), s.share));
-        let mut parts: Vec<(Text, f64)> = bodies.chain(welds).chain(supports).chain(ties).collect();
+        let limits = case.resultants.iter();
+        let limits = limits.filter_map(|r| Some((say!("limit {}", &r.limit), r.share?)));
+        let interfaces = welds.chain(supports).chain(ties).chain(limits);
+        let mut parts: Vec<(Text, f64)> = bodies.chain(interfaces).collect();
         parts.sort_by(|a, b| b.1.total_cmp(&a.1));
         let rows =
             parts.into_iter().map(|(name, share)| [name, format!("{:.1}", 100.0 * share).into()]);
         doc.table(&Table::new(["place", "share of the dissipation [%]"], rows));
     }
     welds(doc, case);
+    resultants(doc, case);
+}
+
+/// Forces through the cuts whose resultants are limited.
+fn resultants(doc: &mut Doc, case: &CaseResult) {
+    let row = |r: &ResultantUse| {
+        let force = r.force?.map(|f| format!("{:.2}", f / 1e3));
+        let used = format!("{:.1}", 100.0 * r.utilisation?);
+        let most = format!("{:.2}", r.at_most / 1e3);
+        let [x, y, z] = force;
+        Some([r.limit.clone(), x, y, z, most, used].map(Text::from))
+    };
+    let rows: Vec<_> = case.resultants.iter().filter_map(row).collect();
+    if rows.is_empty() {
+        return;
+    }
+    doc.paragraph(say!(
+        "Limited forces of the meshed part in the stress of the lower bound ({}):",
+        &case.name
+    ));
+    let columns = ["limited force", "F_x [kN]", "F_y [kN]", "F_z [kN]", "at most [kN]", "used [%]"];
+    doc.table(&Table::new(columns, rows));
 }
 
 /// Demand on each weld.

@@ -98,7 +98,7 @@ pub struct CaseResult {
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub face_motions: Vec<FaceMotion>,
     /// Limit analysis: the body whose stress is nearest to the yield surface at the lower bound;
-    /// absent if a weld is nearer to its strength.
+    /// absent if a weld or a resultant limit is nearer to its strength.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub limiting_part: Option<String>,
     /// Each weld of finite strength.
@@ -111,6 +111,9 @@ pub struct CaseResult {
     /// the upper bound slips.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub tie_slip: Vec<TieSlip>,
+    /// Limit analysis: each limit on the resultants of cuts.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub resultants: Vec<ResultantUse>,
     /// Largest contact pressure on the last mesh, from both sides: estimates, not bounds.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub peak_contact_pressure: Option<PeakPressure>,
@@ -150,6 +153,24 @@ pub struct WeldUse {
     /// displacements of the upper bound \[N mm\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub work: Option<f64>,
+}
+
+/// Use of a resultant limit, in the meshed part.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ResultantUse {
+    /// Name of the limit.
+    pub limit: String,
+    /// Largest value \[N\].
+    pub at_most: f64,
+    /// Sum of the resultants in the static field \[N\], global axes: force of side B on side A.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub force: Option<[f64; 3]>,
+    /// Its value `along · force + ‖across force‖` over `at_most`, a fraction.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub utilisation: Option<f64>,
+    /// Its share in the dissipation of the mechanism, a fraction.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub share: Option<f64>,
 }
 
 /// Slip of a body along the faces of a support.

@@ -4,7 +4,7 @@
 use crate::result::bounds::CaseBounds;
 use crate::result::case_result::CaseResult;
 use crate::result::case_result::PartYield;
-use crate::result::case_result::{PeakPressure, WeldUse};
+use crate::result::case_result::{PeakPressure, ResultantUse, WeldUse};
 use crate::result::quantity::{FrictionModel, Quantity, RawBracket, Upper};
 use bracket_engine::certify::bracket::Contradiction;
 use bracket_engine::model::AnalysisKind;
@@ -134,6 +134,13 @@ pub fn join(upper: PassResult, lower: PassResult) -> Result<CaseResult, Contradi
         ..u
     };
     let welds = upper.welds.into_iter().map(weld).collect();
+    let limited = |name: &str| lower.resultants.iter().find(|l| l.limit == name);
+    let resultant = |u: ResultantUse| ResultantUse {
+        force: limited(&u.limit).and_then(|l| l.force),
+        utilisation: limited(&u.limit).and_then(|l| l.utilisation),
+        ..u
+    };
+    let resultants = upper.resultants.into_iter().map(resultant).collect();
     let mut warnings = upper.warnings;
     for w in lower.warnings {
         if !warnings.contains(&w) {
@@ -151,6 +158,7 @@ pub fn join(upper: PassResult, lower: PassResult) -> Result<CaseResult, Contradi
         limiting_part: lower.limiting_part,
         yielding,
         welds,
+        resultants,
         peak_contact_pressure,
         warnings,
         ..upper

@@ -382,6 +382,7 @@ pub fn case_result(
         ),
         support_slip: Vec::new(),
         tie_slip: Vec::new(),
+        resultants: Vec::new(),
         peak_contact_pressure: (peak != PeakPressure::default()).then_some(peak),
         warnings,
     }

@@ -43,6 +43,7 @@ pub(crate) fn case() -> CaseResult {
         welds: vec![],
         support_slip: vec![],
         tie_slip: vec![],
+        resultants: vec![],
         peak_contact_pressure: None,
         warnings: vec![],
     }

@@ -4,6 +4,7 @@ use crate::result::bounds::{CaseBounds, FactorLimit};
 use crate::result::case_result::CaseResult;
 use crate::result::case_result::PartShare;
 use crate::result::case_result::PeakPressure;
+use crate::result::case_result::ResultantUse;
 use crate::result::case_result::{SupportSlip, TieSlip};
 use crate::result::certificate::Certificate;
 use crate::result::energy_case::estimate_warning;
@@ -24,10 +25,13 @@ use bracket_engine::certify::limit_certificate::{dissipation_densities, utilisat
 use bracket_engine::certify::velocity_field::VelocityField;
 
 use bracket_base::math::Sum;
-use bracket_engine::certify::{FactorBracket, LowerFactor, UpperFactor, slip, ties, welds};
+use bracket_engine::certify::{
+    FactorBracket, LowerFactor, StressField, UpperFactor, cut_limits, slip, ties, welds,
+};
 use bracket_engine::elements::space::Tet10Space;
 use bracket_engine::model::AnalysisModel;
 use bracket_engine::model::analysis::{Support, Tie};
+use bracket_engine::model::resultant_limit::ResultantLimit;
 use bracket_engine::solve::SolveStatus;
 
 /// The lower bound, the bracket and the static program of the problem that the user posed. Under
@@ -163,6 +167,7 @@ struct Shares {
     supports: Vec<SupportSlip>,
     /// Ties along which it slips.
     ties: Vec<TieSlip>,
+    resultants: Vec<f64>,
 }
 
 fn shares(model: &AnalysisModel, velocity: &VelocityField) -> Shares {
@@ -176,7 +181,8 @@ fn shares(model: &AnalysisModel, velocity: &VelocityField) -> Shares {
     let space = Tet10Space::new(mesh);
     let supports = slip::dissipations(model, &space, &velocity.nodes.u);
     let ties = ties::dissipations(model, &space, &velocity.nodes.u);
-    let interfaces = welds.iter().chain(&supports).chain(&ties).copied();
+    let resultants = cut_limits::costs(model, velocity);
+    let interfaces = welds.iter().chain(&supports).chain(&ties).chain(&resultants).copied();
     let total = Sum::of(bodies.iter().map(|d| d.value()).chain(interfaces));
     let share = |d: f64| if total > 0.0 { d / total } else { 0.0 };
     let bodies = mesh.bodies.iter().zip(&bodies);
@@ -190,7 +196,26 @@ fn shares(model: &AnalysisModel, velocity: &VelocityField) -> Shares {
         welds: welds.into_iter().map(share).collect(),
         supports: supports.map(slip).collect(),
         ties: ties.map(tie).collect(),
+        resultants: resultants.into_iter().map(share).collect(),
     }
+}
+
+/// The entry of each resultant limit: its use by the stress of the lower bound and its share in the
+/// mechanism, where there are these fields.
+fn resultant_uses(
+    model: &AnalysisModel,
+    stress: Option<&StressField>,
+    share: &[f64],
+) -> Vec<ResultantUse> {
+    let resultants = stress.map(|s| cut_limits::resultants(model, s));
+    let of = |(i, limit): (usize, &ResultantLimit)| ResultantUse {
+        limit: limit.name.clone(),
+        at_most: limit.at_most,
+        force: resultants.as_ref().map(|r| limit.resultant(r)),
+        utilisation: resultants.as_ref().map(|r| limit.value(r) / limit.at_most),
+        share: share.get(i).copied(),
+    };
+    model.resultant_limits.iter().enumerate().map(of).collect()
 }
 
 /// The bounds of the load factor from a pass, for the problem that the user posed.
@@ -239,12 +264,14 @@ pub fn limit_case_result(
         if problem == FrictionModel::Coulomb { &pass.frictionless_stress } else { &pass.stress };
     let body = |tet: usize| model.mesh.bodies[model.mesh.tet_body[tet] as usize].clone();
     let used = stress.as_ref().map_or(Vec::new(), |s| welds::demands(model, s));
+    let shares = pass.velocity.as_ref().map_or_else(Shares::default, |v| shares(model, v));
+    let limits = resultant_uses(model, stress.as_ref(), &shares.resultants);
     let nearest = stress.as_ref().map(|s| utilisation(model, s));
     let limiting_part = nearest
         .filter(|(most, _)| used.iter().all(|w| w.largest <= *most))
+        .filter(|(most, _)| limits.iter().all(|r| r.utilisation.is_none_or(|u| u <= *most)))
         .and_then(|n| n.1)
         .map(body);
-    let shares = pass.velocity.as_ref().map_or_else(Shares::default, |v| shares(model, v));
     let peak = low.and_then(|b| b.certificate().peak_pressure);
     CaseResult {
         name: name.into(),
@@ -294,6 +321,7 @@ pub fn limit_case_result(
         welds: weld_uses(model, used, shares.welds, Vec::new()),
         support_slip: shares.supports,
         tie_slip: shares.ties,
+        resultants: limits,
         peak_contact_pressure: peak.map(|p| PeakPressure { kinematic: None, static_: Some(p) }),
         warnings,
     }

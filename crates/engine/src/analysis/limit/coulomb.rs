@@ -17,10 +17,9 @@ use crate::analysis::cone_shift::{ConeShiftIteration, FixedPointRun, load_factor
 use crate::analysis::discrete_program::{DiscreteProgram, NextProblem};
 use crate::analysis::engine::kinematic_alone;
 use crate::analysis::event::{Event, Progress};
-use crate::analysis::limit::programs::{SUBDIVISIONS, velocity};
+use crate::analysis::limit::programs::{SUBDIVISIONS, velocity_of};
 use crate::analysis::pass::{PassError, PassOptions};
 use crate::analysis::program::Program;
-use crate::certify::fields::DisplacementField;
 use crate::certify::limit_certificate::certify_upper;
 use crate::certify::velocity_field::VelocityField;
 use crate::elements::hencky_kinematic::Flow;
@@ -106,7 +105,7 @@ impl DiscreteProgram for CoulombLimitKinematic {
     ) -> Result<Self::Answer, RecoverError> {
         let u = self.program.nodal(&solution.x);
         let friction = self.iteration.friction(model, &self.program, solution, &u);
-        let power = certify_upper(model, &velocity(DisplacementField { u }), SUBDIVISIONS);
+        let power = certify_upper(model, &velocity_of(&self.program, &solution.x), SUBDIVISIONS);
         let (run, converged) = self.iteration.progress();
         Ok(FixedPointFactor {
             factor: power.factor + friction / power.live_power,

@@ -23,9 +23,15 @@ pub const SUBDIVISIONS: u32 = 1;
 pub const NO_LIMIT: &str =
     "no mechanism works against the live loads: the load factor has no limit";
 
-/// The velocity field with the nodal values of a kinematic program.
+/// The velocity field with the nodal values of a kinematic program without resultant limits.
 pub fn velocity(nodes: DisplacementField) -> VelocityField {
-    VelocityField { nodes, flow: Flow::Split }
+    VelocityField { nodes, flow: Flow::Split, limit_motions: Vec::new() }
+}
+
+/// The velocity field of a solution of a kinematic program.
+pub(super) fn velocity_of(program: &Kinematic, x: &[f64]) -> VelocityField {
+    let nodes = DisplacementField { u: program.nodal(x) };
+    VelocityField { limit_motions: program.limit_motions(x), ..velocity(nodes) }
 }
 
 /// The kinematic program of limit analysis.
@@ -73,7 +79,7 @@ impl DiscreteProgram for LimitKinematic {
         solution: &Solution,
         patterns: &Patterns,
     ) -> Result<Self::Answer, RecoverError> {
-        let field = velocity(DisplacementField { u: self.0.nodal(&solution.x) });
+        let field = velocity_of(&self.0, &solution.x);
         let upper =
             limit_upper::project(model, &field, SUBDIVISIONS, patterns).map_err(|e| match e {
                 UpperError::Recover(e) => e,

@@ -5,6 +5,7 @@ use crate::result::fields::vtu::{
 };
 use bracket_base::math::mandel::{self, Mandel};
 use bracket_base::math::vec3;
+use bracket_engine::analysis::limit;
 use bracket_engine::certify::faces::{ContactFace, contact_faces};
 use bracket_engine::certify::fields::{DisplacementField, StressField};
 use bracket_engine::certify::velocity_field::VelocityField;
@@ -19,6 +20,8 @@ pub(crate) const DISPLACEMENT: &str = "displacement";
 const VELOCITY: &str = "velocity";
 /// Name of the load factor that a stress field balances.
 const FACTOR: &str = "load_factor";
+/// Motions of the resultant limits, limit by limit.
+const LIMIT_MOTIONS: &str = "limit_motions";
 /// Name of the stress array, Mandel form `[xx, yy, zz, √2 yz, √2 xz, √2 xy]` \[MPa\].
 const STRESS: &str = "stress_mandel";
 
@@ -114,6 +117,9 @@ pub fn velocity_grid(model: &AnalysisModel, field: &VelocityField, densities: Ve
     let mut grid = displacement_grid(model, &field.nodes, None);
     grid.point_data[0].0 = VELOCITY.into();
     grid.cell_data.push(array("dissipation_density", 1, densities));
+    if !field.limit_motions.is_empty() {
+        grid.field_data.push(array(LIMIT_MOTIONS, 1, field.limit_motions.clone()));
+    }
     grid
 }
 
@@ -196,12 +202,12 @@ pub(crate) fn check_points(found: &[[f64; 3]], wanted: &[[f64; 3]]) -> Result<()
     point.map_or(Ok(()), |point| Err(FieldFileError::OtherMesh { point }))
 }
 
-/// Reads velocities and checks that they belong to the model's mesh.
-pub fn read_velocity(
-    model: &AnalysisModel,
-    bytes: &[u8],
-) -> Result<DisplacementField, FieldFileError> {
-    read_vectors(model, bytes, VELOCITY)
+/// Reads velocities of limit analysis and checks that they belong to the model's mesh.
+pub fn read_velocity(model: &AnalysisModel, bytes: &[u8]) -> Result<VelocityField, FieldFileError> {
+    let grid = VtuGrid::from_bytes(bytes)?;
+    let motions = grid.field_array(LIMIT_MOTIONS).map(|a| a.2.clone()).unwrap_or_default();
+    let field = limit::velocity(vectors_of(model, &grid, VELOCITY)?);
+    Ok(VelocityField { limit_motions: motions, ..field })
 }
 
 /// Reads a displacement field and checks that it belongs to the model's mesh.
@@ -209,15 +215,14 @@ pub fn read_displacement(
     model: &AnalysisModel,
     bytes: &[u8],
 ) -> Result<DisplacementField, FieldFileError> {
-    read_vectors(model, bytes, DISPLACEMENT)
+    vectors_of(model, &VtuGrid::from_bytes(bytes)?, DISPLACEMENT)
 }
 
-fn read_vectors(
+fn vectors_of(
     model: &AnalysisModel,
-    bytes: &[u8],
+    grid: &VtuGrid,
     name: &'static str,
 ) -> Result<DisplacementField, FieldFileError> {
-    let grid = VtuGrid::from_bytes(bytes)?;
     check_points(&grid.points, &Tet10Space::new(&model.mesh).nodes)?;
     let a = grid.point_array(name).ok_or(FieldFileError::Missing(name))?;
     if a.1 != 3 || a.2.len() != 3 * grid.points.len() {

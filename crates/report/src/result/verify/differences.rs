@@ -1,6 +1,7 @@
 //! Compares the values that a result derives from its bounds with recomputed ones.
 
 use super::history::near_gap;
+use crate::result::case_result::ResultantUse;
 use crate::result::quantity::LoadSize;
 use crate::result::result_file::CaseResult;
 use crate::result::result_file::RawBracket;
@@ -45,6 +46,19 @@ pub fn derived_differences(claimed: &CaseResult, found: &CaseResult) -> Vec<Stri
                 && near(a.share, b.share)
                 && near(a.work, b.work)
         });
+    let force = |u: &ResultantUse, d: usize| u.force.map(|f| f[d] / u.at_most);
+    // components far below the limit are rounding of the others
+    let like = |a: Option<f64>, b: Option<f64>| match (a, b) {
+        (Some(a), Some(b)) => (a - b).abs() <= 1e-9 * a.abs().max(b.abs()) + 1e-12,
+        (a, b) => a.is_none() && b.is_none(),
+    };
+    let resultants = claimed.resultants.len() == found.resultants.len()
+        && claimed.resultants.iter().zip(&found.resultants).all(|(a, b)| {
+            (&a.limit, a.at_most) == (&b.limit, b.at_most)
+                && (0..3).all(|d| like(force(a, d), force(b, d)))
+                && like(a.utilisation, b.utilisation)
+                && like(a.share, b.share)
+        });
     let yielding = claimed.yielding.len() == found.yielding.len()
         && claimed.yielding.iter().zip(&found.yielding).all(|(a, b)| {
             a.part == b.part
@@ -87,6 +101,7 @@ pub fn derived_differences(claimed: &CaseResult, found: &CaseResult) -> Vec<Stri
         ("welds", welds),
         ("support_slip", shares(support_slip)),
         ("tie_slip", shares(tie_slip)),
+        ("resultants", resultants),
         (
             "load_displacement_at_least",
             near(claimed.load_displacement_at_least, found.load_displacement_at_least),
