@@ -6,9 +6,10 @@ use bracket_base::diag::{Diagnostic, Diagnostics, ExitStatus};
 use bracket_joint::spec::connection::Language;
 use bracket_report::console::log::Log;
 use bracket_report::console::out;
-use bracket_report::markdown::report_data::ReportData;
+use bracket_report::markdown::report_data::{REPORT_DATA_FILE, ReportData};
 use bracket_report::printed;
 use bracket_report::result::digests::{DIGESTS_FILE, Digests};
+use bracket_report::result::result_file::RESULT_FILE;
 use bracket_report::sheet::head::Paper;
 use bracket_report::sheet::{Extent, PDF_FILE};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -74,10 +75,30 @@ fn free_or_pdf(path: &Path) -> Result<(), Diagnostics> {
     if read.is_ok() && start == *b"%PDF-" { Ok(()) } else { refuse("is not a PDF") }
 }
 
+/// Refuses a result that is not what a run wrote: a report would print its numbers and its verdict.
+fn unchanged(folder: &Path) -> Result<(), Diagnostics> {
+    let refuse = |what: String| {
+        Err(Diagnostic::input("report/changed", what)
+            .file(folder.join(DIGESTS_FILE))
+            .help("make the result again; `bracket verify` says what it claims without proof")
+            .into())
+    };
+    match Digests::read(folder) {
+        Ok(Some(digests)) => {
+            let files = [RESULT_FILE, REPORT_DATA_FILE];
+            let difference = files.iter().find_map(|name| digests.difference(folder, name));
+            difference.map_or(Ok(()), refuse)
+        }
+        Ok(None) => refuse("no list of digests says that the result is what a run wrote".into()),
+        Err(e) => refuse(format!("the list of digests cannot be read: {e}")),
+    }
+}
+
 /// Runs `bracket report`.
 pub fn run(args: &ReportArgs, common: &Common) -> CommandResult {
     let interrupt = Interrupt::watch()?;
     let mut data = ReportData::read(&args.folder)?;
+    unchanged(&args.folder)?;
     data.input.language = args.language.unwrap_or(data.input.language);
     let extent = if args.full { Extent::Full } else { Extent::Short };
     let paper = match args.paper {

@@ -12,8 +12,9 @@ use crate::driver::spec_file::{SpecFile, catalog_warning};
 use crate::driver::spec_input::SpecInput;
 use bracket_base::diag::Diagnostics;
 use bracket_base::words::Text;
+use bracket_codes::check::Check;
 use bracket_codes::verdict::Verdict;
-use bracket_codes::{HandChecks, Judgement};
+use bracket_codes::{HandChecks, Judgement, Status, Topic};
 use bracket_report::console::log::Log;
 use bracket_report::result::folder::ResultFolder;
 use bracket_report::result::result_file::ResultFile;
@@ -97,9 +98,21 @@ pub fn check_spec(
     let Checked { input, judged, .. } = check(spec)?;
     let log = Log::new(quiet);
     input.catalog.warnings().iter().for_each(|w| log.line(catalog_warning(w)));
+    report_detailing(&judged.result.checks, &log);
     let folder = ResultFolder::begin(folder)?;
     interrupt.begin_short(folder.give_up());
     input.store(&folder)?;
     let context = spec_context(&spec.path, &input)?;
     present(judged, context, Drawn::default(), interrupt, folder, &log)
+}
+
+/// Says what is wrong with the detailing of a joint.
+pub(super) fn report_detailing(checks: &[Check], log: &Log) {
+    for c in checks.iter().filter(|c| c.topic == Topic::Detailing) {
+        match c.status {
+            Status::Failed => log.line(format!("check failed: {}", c.sentence())),
+            Status::Warning => log.line(format!("detailing: {}", c.sentence())),
+            Status::Ok | Status::Information | Status::Undecided => {}
+        }
+    }
 }

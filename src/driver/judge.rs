@@ -3,6 +3,7 @@
 
 use crate::driver::solved::{Models, Solved};
 use bracket_base::diag::ExitStatus;
+use bracket_base::words::Text;
 use bracket_codes::verdict::{self, Verdict};
 use bracket_codes::{self as codes, Analysed, HandChecks, Judgement};
 use bracket_engine::model::AnalysisKind;
@@ -69,6 +70,16 @@ pub fn judged(mut result: ResultFile, checks: &HandChecks, demands: &[GivenActio
             );
         }
         case.joint_stiffness = joint_stiffness(case, checks.moments());
+    }
+    let told = |c: &CaseResult| c.demand.as_ref().is_some_and(|d| d.brittle.is_some());
+    if checks.brittle.is_some() && !demands.is_empty() && !result.cases.iter().any(told) {
+        let warning = Text::from(
+            "no rule of rotation capacity holds: plastic global analysis may not rely on the \
+             rotation of the joint (EN 1993-1-8:2005 6.4)",
+        );
+        if !result.warnings.contains(&warning) {
+            result.warnings.push(warning);
+        }
     }
     // the findings of the analyses complete them
     let mut checks = checks.clone();

@@ -1,7 +1,7 @@
 //! The analysis of a connection spec: geometry, mesh, cases, verdict.
 
 use crate::driver::case::not_analysed;
-use crate::driver::check_spec::unanalysed;
+use crate::driver::check_spec::{report_detailing, unanalysed};
 use crate::driver::demands::demands;
 use crate::driver::input_hash::spec_hash;
 use crate::driver::judge::{Judged, by_code};
@@ -18,8 +18,8 @@ use crate::driver::spec_file::{SpecFile, catalog_warning};
 use crate::driver::spec_input::SpecInput;
 use bracket_base::diag::{Diagnostic, Diagnostics};
 use bracket_base::yaml;
+use bracket_codes::HandChecks;
 use bracket_codes::verdict::Verdict;
-use bracket_codes::{HandChecks, Status, Topic};
 use bracket_engine::mesh::gmsh::Mesher;
 use bracket_engine::model::AnalysisKind;
 use bracket_engine::refine::plan;
@@ -264,13 +264,7 @@ impl<'s> SpecRun<'s> {
     /// Reports the hand checks before meshing starts: faults of the detailing, and the verdict by
     /// code alone.
     fn report_checks(&self, log: &Log) {
-        for c in self.checks.checks.iter().filter(|c| c.topic == Topic::Detailing) {
-            match c.status {
-                Status::Failed => log.line(format!("check failed: {}", c.sentence())),
-                Status::Warning => log.line(format!("detailing: {}", c.sentence())),
-                Status::Ok | Status::Information | Status::Undecided => {}
-            }
-        }
+        report_detailing(&self.checks.checks, log);
         if self.demands.is_empty() {
             return;
         }

@@ -86,7 +86,8 @@ fn reports_in_german_are_complete() {
     for words in ["Nachweise", "Einwirkungen", "Seite 1 von", "Revision C", "beam_right"] {
         assert!(short.contains(&bare(words)), "{words}");
     }
-    assert!(bench.read("r/report.md").contains("## Ergebnis"));
+    let report = bench.read("r/report.md");
+    assert!(report.contains("## Ergebnis") && report.contains("| Projektnummer | P-12 |"));
     let page = bench.read("r/report.html");
     assert!(page.contains("<html lang=\"de\">") && page.contains("<h2>Nachweise</h2>"), "{page}");
     // the data for programs keep their words
@@ -226,13 +227,35 @@ fn refused_folders_and_files() {
             "another program",
             replaced("r/result.json", "\"bracket\"", "\"other\""),
             vec!["r"],
-            want(2, "report/not-a-result", "", "other", "finished"),
+            want(2, "report/not-a-result", "result.json", "other", "finished"),
         ),
         (
             "another schema",
             replaced("r/result.json", "\"schema\": 1", "\"schema\": 99"),
             vec!["r"],
-            want(2, "report/not-a-result", "", "99", "finished"),
+            want(2, "report/not-a-result", "result.json", "99", "finished"),
+        ),
+        (
+            "a forged verdict",
+            replaced("r/result.json", "\"verdict\": \"ok\"", "\"verdict\": \"none\""),
+            vec!["r"],
+            want(2, "report/changed", "digests.b3", "result.json is not the file", "verify"),
+        ),
+        (
+            "a changed title",
+            replaced("r/report.json", "\"title\"", "\"topic\""),
+            vec!["r"],
+            want(2, "report/changed", "digests.b3", "report.json is not the file", "verify"),
+        ),
+        (
+            "no list of digests",
+            {
+                let bench = done();
+                std::fs::remove_file(bench.path().join("r/digests.b3")).expect("removed");
+                bench
+            },
+            vec!["r"],
+            want(2, "report/changed", "digests.b3", "no list of digests", "verify"),
         ),
         (
             "no folder for the file",

@@ -49,6 +49,10 @@ fn a_thick_plate_is_ok_by_code_whatever_the_lower_bound_is_worth() {
     assert_eq!((judged(&checked, "route"), judged(&checked, "by_analysis")), ("code", "none"));
     assert!((used(&checked) / USED - 1.0).abs() < 0.002, "{}", used(&checked));
     assert!(checked.said.contains("verdict: OK — by code"), "{}", checked.said);
+    // what OK by code does not permit is said without any analysis
+    let rule = "no rule of rotation capacity holds: plastic global analysis may not rely";
+    assert!(checked.said.contains(rule) && checked.report.contains(rule), "{}", checked.said);
+    assert!(warnings(&checked).contains(rule));
     let text = Answer::input(name).replace("kind: limit", "kind: limit, mesh: {layers: false}");
     let coarse = run(&text, &["--size-factor", "4", "--max-passes", "1"]);
     assert_eq!((coarse.code, coarse.verdict()), (0, "ok"), "{}", coarse.said);

@@ -119,7 +119,8 @@ impl ReportData {
             bracket_base::text_file::utf8_of(&folder.join(file))
                 .map_err(|e| missing(file, e.to_string()))
         };
-        let result = ResultFile::from_json(&read(RESULT_FILE)?).map_err(Diagnostic::from)?;
+        let result = ResultFile::from_json(&read(RESULT_FILE)?)
+            .map_err(|e| Diagnostic::from(e).file(folder.join(RESULT_FILE)))?;
         let text = read(REPORT_DATA_FILE)?;
         let data: Self =
             serde_json::from_str(&text).map_err(|e| missing(REPORT_DATA_FILE, e.to_string()))?;

@@ -25,6 +25,9 @@ fn line(name: &str, value: &str) -> Vec<Text> {
 
 /// The name of a line of the title block: one of the program, or one of the user.
 pub(crate) fn project_word(name: &str) -> Text {
-    const OWN: [&str; 6] = ["title", "number", "author", "checker", "revision", "date"];
-    Text::word_of(&OWN, name)
+    const OWN: [&str; 5] = ["title", "author", "checker", "revision", "date"];
+    match name {
+        "number" => "project number".into(),
+        other => Text::word_of(&OWN, other),
+    }
 }

@@ -62,14 +62,21 @@ impl Digests {
         name == DIGESTS_FILE || self.0.contains_key(name)
     }
 
-    /// A sentence for every listed file of a folder that is missing or has changed.
-    pub fn differences(&self, folder: &Path) -> Vec<String> {
-        let difference = |(name, hash): (&String, &String)| match hash_of(&folder.join(name)) {
+    /// What is wrong with a file of a folder: it is not listed, missing or has changed.
+    pub fn difference(&self, folder: &Path, name: &str) -> Option<String> {
+        let Some(hash) = self.0.get(name) else {
+            return Some(format!("{DIGESTS_FILE} does not list {name}"));
+        };
+        match hash_of(&folder.join(name)) {
             Ok(found) if found == *hash => None,
             Ok(_) => Some(format!("{name} is not the file that the run wrote: its digest differs")),
             Err(e) => Some(format!("{name} is in {DIGESTS_FILE} and cannot be read: {e}")),
-        };
-        self.0.iter().filter_map(difference).collect()
+        }
+    }
+
+    /// A sentence for every listed file of a folder that is missing or has changed.
+    pub fn differences(&self, folder: &Path) -> Vec<String> {
+        self.0.keys().filter_map(|name| self.difference(folder, name)).collect()
     }
 }
 

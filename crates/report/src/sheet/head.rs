@@ -78,10 +78,7 @@ impl Head {
 
 /// Name of a line of the title block.
 fn label(name: &str, words: &Words) -> String {
-    words.say(&match name {
-        "number" => "project number".into(),
-        other => project_word(other),
-    })
+    words.say(&project_word(name))
 }
 
 /// Year, month and day of `2026-11-23` or `23.11.2026`.
