@@ -96,8 +96,10 @@ fn rounding_of_many_cases_is_one_warning() {
     let answer = Answer::to(&format!("{start}loads: [{}]\n", loads.join(", ")));
     assert_eq!(answer.verdict(), "ok", "{}", answer.said);
     assert_eq!(neglected(&answer).len(), 16);
-    let warnings = answer.result["warnings"].as_array().expect("warnings");
-    assert_eq!(warnings.len(), 1, "{warnings:?}");
+    let all = answer.result["warnings"].as_array().expect("warnings");
+    let neglects = |w: &&Value| w.as_str().is_some_and(|w| w.contains("neglected"));
+    let warnings: Vec<&Value> = all.iter().filter(neglects).collect();
+    assert_eq!(warnings.len(), 1, "{all:?}");
     assert!(warnings[0].as_str().is_some_and(|w| w.contains("8 load cases")), "{warnings:?}");
 }
 
