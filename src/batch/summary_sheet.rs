@@ -26,7 +26,7 @@ const USED: &str = "governing_utilisation";
 
 /// Columns of the table of cases: key of a row, title, rounding of numbers.
 const COLUMNS: [(&str, &str, Option<Rounding>); 10] = [
-    ("case", "case", None),
+    ("case", "joint", None),
     ("load_case", "load case", None),
     ("N_kN", "N [kN]", Some(Rounding::Nearest)),
     ("V_kN", "V [kN]", Some(Rounding::Nearest)),
@@ -103,7 +103,13 @@ fn cases(rows: &[Map<String, Value>], words: &Words) -> Vec<Block> {
             (Some(x), Some(r), _) if key == USED => utilisation(x, r).into(),
             (Some(x), Some(r), _) => significant(x, 4, r).replace('-', "−").into(),
             (_, _, Value::String(s)) if key == "outcome" => {
-                let outcome = Outcome::ALL.into_iter().find(|o| o.word() == s);
+                let named = |word: &str| Outcome::ALL.into_iter().find(|o| o.word() == word);
+                // the outcome is that of the joint, the row that of one of its load cases
+                let own = row.get("verdict").and_then(Value::as_str).and_then(named);
+                let outcome = match named(s) {
+                    Some(Outcome::Ok | Outcome::NotOk | Outcome::Undecided) => own.or(named(s)),
+                    other => other,
+                };
                 outcome.map_or_else(|| Text::given(s), |o| o.plain().into())
             }
             (_, _, Value::String(s)) => Text::given(s),
@@ -125,4 +131,38 @@ fn cases(rows: &[Map<String, Value>], words: &Words) -> Vec<Block> {
         }
         doc.table(&table);
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+    use std::collections::BTreeMap;
+
+    /// A joint with two load cases, of which one is not carried; and one that was ended.
+    #[test]
+    fn a_row_has_the_outcome_of_its_load_case() {
+        let row = |load: &str, outcome: &str, verdict: Value| -> Map<String, Value> {
+            let values = [
+                ("case", json!("a")),
+                ("load_case", json!(load)),
+                ("outcome", json!(outcome)),
+                ("verdict", verdict),
+            ];
+            values.map(|(k, v)| (k.to_string(), v)).into_iter().collect()
+        };
+        let rows = [
+            row("U1", "not_ok", json!("not_ok")),
+            row("U2", "not_ok", json!("ok")),
+            row("U3", "timed_out", json!("ok")),
+            row("U4", "undecided", json!("none")),
+        ];
+        let blocks = cases(&rows, &Words::default());
+        let [Block::Table { table }] = &blocks[..] else { panic!("{blocks:?}") };
+        let text = |cell: &[bracket_report::document::block::Span]| cell[0].text.clone();
+        let found: BTreeMap<String, String> =
+            table.rows.iter().map(|r| (text(&r[1]), text(&r[5]))).collect();
+        let want = [("U1", "not ok"), ("U2", "ok"), ("U3", "timed out"), ("U4", "undecided")];
+        assert_eq!(found, want.map(|(k, v)| (k.into(), v.into())).into());
+    }
 }

@@ -6,6 +6,7 @@ mod exact;
 mod hard;
 mod hinges;
 mod interaction;
+mod lapped_plates;
 mod lower_first;
 mod mesh_pairs;
 mod random;

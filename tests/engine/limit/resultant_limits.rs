@@ -54,7 +54,8 @@ fn resolved(text: &str, mesh: TetMesh) -> Result<AnalysisModel, Diagnostics> {
     solved::resolve_as("limit", &format!("{MATERIALS}{text}"), mesh)
 }
 
-fn model(text: &str, mesh: TetMesh) -> AnalysisModel {
+/// The model of limit analysis of a YAML text without its materials.
+pub fn model(text: &str, mesh: TetMesh) -> AnalysisModel {
     resolved(text, mesh).unwrap_or_else(|e| panic!("{e:?}"))
 }
 

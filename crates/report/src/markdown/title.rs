@@ -25,7 +25,7 @@ fn line(name: &str, value: &str) -> Vec<Text> {
 
 /// The name of a line of the title block: one of the program, or one of the user.
 pub(crate) fn project_word(name: &str) -> Text {
-    const OWN: [&str; 5] = ["title", "author", "checker", "revision", "date"];
+    const OWN: [&str; 6] = ["title", "author", "checker", "revision", "date", "mesher"];
     match name {
         "number" => "project number".into(),
         other => Text::word_of(&OWN, other),
