@@ -301,7 +301,7 @@ fn wrong_limits_are_refused() {
     for (limit, cut, fixed, words) in [
         (good, "{body: S, cut: CUT5, axis: [1, 0, 0]}", "y", "inside the body"),
         (good, "{body: A, cut: CUT5, axis: [1, 0, 0]}", "y", "no yield strength"),
-        (good, "{body: S, cut: CUT15, axis: [0, 1, 0]}", "y", "runs along its axis"),
+        (good, "{body: S, cut: CUT15, axis: [0, 1, 0]}", "y", "runs along the axis"),
         (good, "{body: S, cut: CUT15, axis: [0, 0, 0]}", "y", "no direction"),
         (good, "{body: S, cut: X0, axis: [1, 0, 0]}", "y", "outer faces"),
         ("{name: a, cuts: [CUT16], along: [1, 0, 0], at_most: 10}", good_cut, "y", "`CUT16`"),

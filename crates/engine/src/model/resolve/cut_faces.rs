@@ -134,7 +134,7 @@ fn sides(
     } else if found.is_empty() {
         (format!("the cut `{cut}` is empty"), "name mesh faces inside the body")
     } else if flat {
-        let m = format!("the cut `{cut}` runs along its axis in `{name}`");
+        let m = format!("the cut `{cut}` runs along the axis given for `{name}`");
         (m, "cut the body across, or turn `axis` into its direction")
     } else {
         return Some(found);

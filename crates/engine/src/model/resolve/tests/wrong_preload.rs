@@ -58,19 +58,19 @@ const PRELOAD: &[(&str, &str, &str, &str)] = &[
         "{body: A, cut: AB, axis: [1, 0, 0], force: 5}",
         "model/preload",
         "between `",
-        "inside the shank",
+        "inside the body",
     ),
     (
         "{body: B, cut: BC, axis: [1, 0, 0], force: 5}",
         "model/preload",
         "between `",
-        "inside the shank",
+        "inside the body",
     ),
     (
         "{body: B, cut: INSIDE, axis: [1, 0, 0], force: 5}",
         "model/preload",
         "inside the body `A`",
-        "inside the shank",
+        "inside the body",
     ),
     (
         "{body: A, cut: PART, axis: [1, 0, 0], force: 5}",
