@@ -62,7 +62,7 @@ pub fn judged(mut result: ResultFile, checks: &HandChecks, demands: &[GivenActio
         case.utilisation = safe_utilisation(case);
         let demand = demands.iter().find(|d| d.case == case.name);
         case.demand = demand.map(|d| Demand::new(case, d.actions.clone(), checks));
-        if case.demand.as_ref().is_some_and(|d| d.brittle.is_some()) {
+        if no_rule(case) {
             case.warnings.push(
                 "no rule of rotation capacity holds: the lower bound decides nothing, and plastic \
                  global analysis may not rely on the rotation of the joint (EN 1993-1-8:2005 6.4)"
@@ -71,8 +71,7 @@ pub fn judged(mut result: ResultFile, checks: &HandChecks, demands: &[GivenActio
         }
         case.joint_stiffness = joint_stiffness(case, checks.moments());
     }
-    let told = |c: &CaseResult| c.demand.as_ref().is_some_and(|d| d.brittle.is_some());
-    if checks.brittle.is_some() && !demands.is_empty() && !result.cases.iter().any(told) {
+    if checks.brittle.is_some() && !demands.is_empty() && !result.cases.iter().any(no_rule) {
         let warning = Text::from(
             "no rule of rotation capacity holds: plastic global analysis may not rely on the \
              rotation of the joint (EN 1993-1-8:2005 6.4)",
@@ -116,6 +115,11 @@ pub fn safe_utilisation(entry: &CaseResult) -> Option<[f64; 2]> {
     verdict::utilisation(lower, upper)
 }
 
+/// True where the lower bound of a case decides nothing because no rule of rotation capacity holds.
+fn no_rule(case: &CaseResult) -> bool {
+    case.demand.as_ref().is_some_and(|d| d.brittle.is_some())
+}
+
 /// What the analyses found of a load case. Only limit analysis brackets a resistance.
 fn analysed(result: &ResultFile, case: &String) -> Analysed {
     let entries = || result.cases.iter().filter(|c| c.name == *case);
@@ -128,7 +132,6 @@ fn analysed(result: &ResultFile, case: &String) -> Analysed {
     };
     // only the absence of a rule keeps a lower bound above the load from deciding
     let carried = |c: &CaseResult| c.is_strict() && c.factor_bounds().0 >= Some(1.0);
-    let no_rule = |c: &CaseResult| c.demand.as_ref().is_some_and(|d| d.brittle.is_some());
     let brittle = limit.is_some_and(|c| carried(c) && no_rule(c));
     Analysed {
         case: case.clone(),

@@ -70,8 +70,7 @@ pub fn roles(
             roles.entry(key(f)).or_default().contact = true;
         }
     }
-    let cuts = model.preload.iter().flat_map(|p| &p.faces);
-    for f in cuts.chain(model.cuts.iter().flat_map(|c| &c.faces)) {
+    for f in model.cut_faces() {
         roles.entry(key(&f.a)).or_default().cut = true;
         roles.entry(key(&f.b)).or_default().cut = true;
     }

@@ -277,8 +277,7 @@ fn jumps(model: &AnalysisModel, s: &StressField, points: usize, random: &mut Ran
     let mesh = &model.mesh;
     let faces = FaceNumbering::new(mesh);
     let mut worst = 0.0f64;
-    let preloaded = model.preload.iter().flat_map(|p| &p.faces);
-    let cuts: Vec<&FacePair> = preloaded.chain(model.cuts.iter().flat_map(|c| &c.faces)).collect();
+    let cuts: Vec<&FacePair> = model.cut_faces().collect();
     for _ in 0..points * usize::from(!cuts.is_empty()) {
         let f = cuts[random.index(cuts.len())];
         let corners = f.nodes_a.map(|n| mesh.nodes[n as usize]);

@@ -300,6 +300,12 @@ impl AnalysisModel {
         self.welds.iter().flat_map(|w| w.faces.iter().map(|f| (w.strength, f)))
     }
 
+    /// The faces of all cuts: those of preloaded bolts and those whose resultants are limited.
+    pub fn cut_faces(&self) -> impl Iterator<Item = &FacePair> {
+        let preloaded = self.preload.iter().flat_map(|p| &p.faces);
+        preloaded.chain(self.cuts.iter().flat_map(|c| &c.faces))
+    }
+
     /// The faces of all ties, tie by tie, each with the strength of its tie \[MPa\].
     pub fn tie_faces(&self) -> impl Iterator<Item = (f64, &FacePair)> {
         self.ties.iter().flat_map(|t| t.faces.iter().map(|f| (t.strength, f)))

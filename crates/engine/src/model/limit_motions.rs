@@ -11,8 +11,7 @@ impl AnalysisModel {
             let corners = |f: &FacePair| f.nodes_a.map(|n| self.mesh.nodes[n as usize]);
             cut.faces.iter().map(|f| vec3::norm(vec3::area_vector(&corners(f)))).sum()
         };
-        let rows = std::iter::once(&limit.along).chain(&limit.across);
-        let factor = rows.map(|r| vec3::norm(*r)).fold(0.0, f64::max);
+        let factor = limit.rows().map(|r| vec3::norm(*r)).fold(0.0, f64::max);
         let cuts = limit.cuts.iter().map(|c| area(&self.cuts[c.0]));
         limit.at_most / (factor * cuts.fold(0.0, f64::max))
     }

@@ -35,6 +35,11 @@ pub struct ResultantLimit {
 }
 
 impl ResultantLimit {
+    /// The jumps of its motion at unit values of s and of each y.
+    pub fn rows(&self) -> impl Iterator<Item = &V3> {
+        std::iter::once(&self.along).chain(&self.across)
+    }
+
     /// Number of unknowns of its motion.
     pub fn motions(&self) -> usize {
         1 + self.across.len()
@@ -59,8 +64,7 @@ impl ResultantLimit {
 
     /// The jump `s along + Σ y_k across_k` of a motion, with the sign of the sum \[mm\].
     pub fn jump(&self, motion: &[f64]) -> V3 {
-        let rows = std::iter::once(&self.along).chain(&self.across);
-        rows.zip(motion).fold([0.0; 3], |sum, (row, m)| vec3::along(sum, *m, *row))
+        self.rows().zip(motion).fold([0.0; 3], |sum, (row, m)| vec3::along(sum, *m, *row))
     }
 
     /// Cost of a motion, `at_most max(s, ‖y‖)` \[N mm\]; NaN for a motion that is not a number.

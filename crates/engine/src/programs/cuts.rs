@@ -127,7 +127,7 @@ fn jumps(model: &AnalysisModel, first: Option<usize>) -> Vec<Vec<(usize, V3)>> {
     let mut out = vec![Vec::new(); model.cuts.len()];
     let Some(mut next) = first else { return out };
     for limit in &model.resultant_limits {
-        for row in std::iter::once(&limit.along).chain(&limit.across) {
+        for row in limit.rows() {
             for &(cut, sign) in &limit.cuts {
                 out[cut].push((next, vec3::scale(sign, *row)));
             }
@@ -142,7 +142,7 @@ pub fn append_limits(model: &AnalysisModel, map: &DofMap, program: &mut ConicPro
     if map.motions == 0 {
         return;
     }
-    let mut next = map.n - map.motions;
+    let mut next = map.limit_motions().start;
     for limit in &model.resultant_limits {
         program.q[next] += limit.at_most;
         let mine = next..next + limit.motions();
@@ -165,7 +165,7 @@ pub fn append_limits(model: &AnalysisModel, map: &DofMap, program: &mut ConicPro
 
 /// Adds the forces of the preloads on their closures \[N\]; prescribed closures have none.
 pub fn add_preload(model: &AnalysisModel, map: &DofMap, f: &mut [f64]) {
-    let end = map.n - map.motions;
+    let end = map.limit_motions().start;
     let closures = end - map.closures..end;
     for (k, bolt) in closures.zip(&model.preload).filter(|(_, bolt)| bolt.closure.is_none()) {
         f[k] += bolt.force;

@@ -3,6 +3,7 @@
 
 use crate::elements::columns::Columns;
 use crate::elements::yielding_element::NONE;
+use std::ops::Range;
 
 /// Each full unknown as a linear combination of the program's unknowns; an empty combination is
 /// held at zero.
@@ -54,6 +55,11 @@ impl DofMap {
     /// Number of motions of rigid faces.
     pub fn rigid(&self) -> usize {
         self.n - self.plain - self.closures - self.motions
+    }
+
+    /// The unknowns of the motions of resultant limits.
+    pub fn limit_motions(&self) -> Range<usize> {
+        self.n - self.motions..self.n
     }
 
     /// True when full unknown `i` follows others: across a preloaded cut, or along an oblique face

@@ -323,7 +323,7 @@ impl Kinematic {
 
     /// The motions of the resultant limits from the program's unknowns, limit by limit.
     pub fn limit_motions(&self, x: &[f64]) -> Vec<f64> {
-        x[self.map.n - self.map.motions..self.map.n].to_vec()
+        x[self.map.limit_motions()].to_vec()
     }
 
     /// The Bernstein coefficients of the jump on every weld face as rows on the shared unknowns,

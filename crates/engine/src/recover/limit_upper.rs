@@ -115,8 +115,10 @@ pub fn project(
     let live = kinematic.limit_forces(model, field.flow, Loads::LIVE);
     let power_on = |x: &[f64]| Sum::of(live.iter().zip(x).map(|(f, u)| f * u));
     let mut x = nearest_unknowns(&kinematic.map, &kinematic.rigid, |i| field.nodes.u[i / 3][i % 3]);
-    let first = kinematic.map.n - kinematic.map.motions;
-    x[first..].iter_mut().zip(&field.limit_motions).for_each(|(x, m)| *x = *m);
+    x[kinematic.map.limit_motions()]
+        .iter_mut()
+        .zip(&field.limit_motions)
+        .for_each(|(x, m)| *x = *m);
     let before = power_on(&x);
     projector.keep_volume(&mut x);
     let power = power_on(&x);

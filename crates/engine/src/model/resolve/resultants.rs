@@ -179,7 +179,7 @@ fn check_held(
         .flat_map(|f| face_nodes(mesh, &f[0].into()))
         .collect();
     for (d, axis) in ["x", "y", "z"].into_iter().enumerate() {
-        if std::iter::once(&limit.along).chain(&limit.across).all(|row| row[d] == 0.0) {
+        if limit.rows().all(|row| row[d] == 0.0) {
             continue;
         }
         let holds = |s: &&Support| {
