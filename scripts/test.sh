@@ -1,7 +1,7 @@
 #!/bin/sh
 # Everything that must pass, from nothing: set up, format, lints, tests (unit, literature, doc), licences, examples.
 # --heavy adds the tests that take long (fine meshes, convergence studies, a sweep on a real Slurm, the feature `parquet`).
-# Two minutes of the campaign of random inputs (tests/campaign) are among them, five with --heavy; --campaign runs nothing but that.
+# One minute of the campaign of random inputs (tests/campaign) are among them, five with --heavy; --campaign runs nothing but that.
 set -eu
 cd -- "$(dirname -- "$0")/.."
 heavy=no
@@ -28,7 +28,7 @@ while [ $# -gt 0 ]; do
 done
 [ "$heavy$campaign" != yesyes ] || usage
 if [ -z "$minutes" ]; then
-    if [ "$heavy$campaign" = nono ]; then minutes=2; else minutes=5; fi
+    if [ "$heavy$campaign" = nono ]; then minutes=1; else minutes=5; fi
 fi
 
 not_run=''

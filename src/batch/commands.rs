@@ -25,6 +25,7 @@ use super::sweep_folder::{SweepFolder, write_whole};
 use super::work_folder::clear_work;
 use crate::driver::interrupt::Interrupt;
 use crate::driver::meshing::find_mesher;
+use crate::driver::printing;
 use bracket_base::diag::{Diagnostic, Diagnostics, ExitStatus, visible};
 use bracket_engine::analysis::memory::room;
 use bracket_joint::spec::connection::Language;
@@ -33,7 +34,7 @@ use bracket_report::console::pace::about;
 use bracket_report::document::markdown::markdown;
 use bracket_report::document::section;
 use bracket_report::figures::bracket as bracket_of;
-use bracket_report::printed;
+use bracket_report::pdf;
 use bracket_report::sheet::sweep::SUMMARY_PDF;
 use bracket_report::words::Words;
 use serde::Deserialize;
@@ -336,7 +337,7 @@ pub fn merge(plan: &Plan, folder: &SweepFolder, log: &Log) -> Result<Merge, Diag
             (choice.as_ref(), &tables),
             &rows,
         );
-        match printed::sweep_pdf(&sheet, &words) {
+        match pdf::summary(sheet, &words).and_then(printing::pdf) {
             Ok(bytes) => write_whole(&path.join(SUMMARY_PDF), &bytes)?,
             Err(fault) => log.line(format!("warning: {}", fault.message)),
         }

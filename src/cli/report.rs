@@ -2,11 +2,13 @@
 
 use super::common::{CommandResult, Common, Format};
 use crate::driver::interrupt::Interrupt;
+use crate::driver::printing;
 use bracket_base::diag::{Diagnostic, Diagnostics, ExitStatus};
 use bracket_joint::spec::connection::Language;
 use bracket_report::console::log::Log;
 use bracket_report::console::out;
 use bracket_report::markdown::report_data::{REPORT_DATA_FILE, ReportData};
+use bracket_report::pdf;
 use bracket_report::printed;
 use bracket_report::result::digests::{DIGESTS_FILE, Digests};
 use bracket_report::result::result_file::RESULT_FILE;
@@ -110,7 +112,7 @@ pub fn run(args: &ReportArgs, common: &Common) -> CommandResult {
         free_or_pdf(&path)?;
     }
     let words = data.words();
-    let bytes = printed::pdf(&data, &words, &args.folder, extent, paper)?;
+    let bytes = printing::pdf(pdf::report(&data, &words, &args.folder, extent, paper)?)?;
     // a moment in which a signal waits, so that no half of a file is left
     let log = Arc::new(Log::new(true));
     let part = printed::part(&path);

@@ -24,6 +24,7 @@ pub mod passes;
 pub mod pictures;
 pub mod polygon;
 pub mod present;
+pub mod printing;
 pub mod queue;
 pub mod remesh;
 pub mod run_files;

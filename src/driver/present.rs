@@ -3,6 +3,7 @@
 use crate::driver::context::RunContext;
 use crate::driver::interrupt::Interrupt;
 use crate::driver::judge::Judged;
+use crate::driver::printing;
 use bracket_base::diag::{Diagnostic, Diagnostics, ExitStatus, in_line};
 use bracket_base::say;
 use bracket_base::words::Collected;
@@ -15,6 +16,7 @@ use bracket_report::markdown::compose::report_markdown;
 use bracket_report::markdown::report_data::{REPORT_DATA_FILE, ReportData};
 use bracket_report::page::scene::Scene;
 use bracket_report::page::{self, PAGE_FILE};
+use bracket_report::pdf;
 use bracket_report::printed;
 use bracket_report::result::folder::ResultFolder;
 use bracket_report::result::result_file::ResultFile;
@@ -136,7 +138,8 @@ fn write(
     folder.write(PAGE_FILE, html.as_bytes())?;
     // the bounds do not depend on it: a report that cannot be set is no reason to lose them
     if cfg!(feature = "pdf") {
-        match printed::pdf(&data, &words, folder.path(), Extent::Short, Paper::A4) {
+        let printout = pdf::report(&data, &words, folder.path(), Extent::Short, Paper::A4);
+        match printout.and_then(printing::pdf) {
             Ok(bytes) => folder.write(PDF_FILE, &bytes)?,
             Err(fault) => log.line(format!("warning: {}", fault.message)),
         }

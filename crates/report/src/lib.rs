@@ -8,7 +8,6 @@ pub mod figures;
 pub mod lettering;
 pub mod markdown;
 pub mod page;
-#[cfg(feature = "pdf")]
 pub mod pdf;
 pub mod printed;
 pub mod result;

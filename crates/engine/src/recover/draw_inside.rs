@@ -97,6 +97,9 @@ pub(crate) fn check_dead(model: &AnalysisModel, field: &StressField) -> Result<(
     let (balanced, below_yield) = (residual <= TOLERANCE, used + c.cover < 1.0);
     let what = match c.contact {
         _ if !balanced => say!("equilibrium is missed by {}", format!("{residual:.1e}")),
+        _ if !below_yield && c.resultant == Some(used) => {
+            say!("{} times a resultant limit", format!("{used:.4}"))
+        }
         _ if !below_yield && used > c.utilisation => {
             say!("{} times the strength of a weld", format!("{used:.4}"))
         }
