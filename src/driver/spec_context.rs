@@ -15,7 +15,7 @@ use bracket_joint::assembly::Assembly;
 use bracket_joint::assembly::assembly::{FaceSupport, Surface};
 use bracket_joint::spec::connection::ConnectionSpec;
 use bracket_joint::spec::loads::ActionPoint;
-use bracket_joint::strength::Design;
+use bracket_joint::strength::{Design, DesignStrengths};
 use bracket_report::document::picture::PictureRef;
 use bracket_report::document::table::Table;
 use bracket_report::draw::contact_map::AXES;
@@ -26,6 +26,7 @@ use bracket_report::markdown::report_data::InputFacts;
 use bracket_report::markdown::report_data::ResolvedValue;
 use bracket_report::markdown::schedule;
 use serde_json::json;
+use std::collections::BTreeMap;
 use std::path::Path;
 
 /// The hand checks of a spec, with the notes of its joint.
@@ -124,15 +125,29 @@ fn supports(assembly: &Assembly) -> Table {
 
 /// The values of the joint with their origin.
 fn resolved_values(input: &SpecFile) -> Vec<ResolvedValue> {
-    let strength = |(name, fy): (String, Option<Design>)| {
-        Some(ResolvedValue {
-            name: format!("materials.{name}.fy"),
-            value: number(fy?.mpa()).into(),
-            unit: "MPa".into(),
-            origin: "yield strength in the analyses".into(),
-        })
+    let value = |name: String, strength: Design, origin: Text| ResolvedValue {
+        name,
+        value: number(strength.mpa()).into(),
+        unit: "MPa".into(),
+        origin,
     };
-    let strengths = design_strengths(&input.joint).materials.into_iter().filter_map(strength);
+    let DesignStrengths { materials, bolts, .. } = design_strengths(&input.joint);
+    let parts = input.joint.assembly.parts.iter();
+    let shanks = parts.filter_map(|p| Some((&p.material, bolts.get(&p.name)?.shank)));
+    let shanks: BTreeMap<&String, Design> = shanks.collect();
+    let strength = |(name, fy): (&String, &Option<Design>)| {
+        let path = format!("materials.{name}.fy");
+        let origin = match shanks.contains_key(name) {
+            false => "yield strength in the analyses",
+            true => "yield strength in elastoplastic analysis",
+        };
+        Some(value(path, (*fy)?, origin.into()))
+    };
+    let strengths = materials.iter().filter_map(strength);
+    let limited = shanks.iter().map(|(name, fy)| {
+        let origin = "yield strength in limit analysis, beside the limits of the bolt's forces";
+        value(format!("materials.{name}.fy (limit)"), *fy, origin.into())
+    });
     input
         .joint
         .resolved
@@ -153,6 +168,7 @@ fn resolved_values(input: &SpecFile) -> Vec<ResolvedValue> {
             ResolvedValue { name: r.name.clone(), value, unit: unit.into(), origin }
         })
         .chain(strengths)
+        .chain(limited)
         .collect()
 }
 

@@ -11,7 +11,6 @@ mod beam_checks;
 mod bolt_checks;
 mod bolt_forces;
 mod bolt_group;
-mod bolt_holes;
 mod bolt_rows;
 mod capacity;
 mod clamped_plates;

@@ -1,8 +1,10 @@
 //! The `MODEL.yaml` of a meshed joint: bodies, materials, interfaces, supports, symmetry and loads,
 //! by the names in the mesh.
 
+mod bolt_entries;
+
 use crate::assembly::Assembly;
-use crate::assembly::assembly::{Action, BoltPreload, FaceLoad, Surface, SymmetryPlane, WeldRule};
+use crate::assembly::assembly::{Action, BoltPreload, FaceLoad, SymmetryPlane, WeldRule};
 use crate::meshing::naming::symmetry_face;
 use crate::strength::{Design, DesignStrengths};
 use bracket_engine::mesh::TetMesh;
@@ -32,9 +34,10 @@ pub fn cases(assembly: &Assembly) -> Vec<String> {
 /// Rules about parts and faces that `mesh` does not contain (beyond a symmetry plane) are left out.
 /// `mesh_name` is the path of the mesh file relative to the model file. Forces and moments become
 /// actions on rigid faces, free in all motions that the symmetry planes through them permit. A
-/// preloaded bolt that a symmetry plane halves has half its preload. There is no entry for
-/// adaptation. A material or weld without an entry in `strengths` gets none in the model, which the
-/// engine then refuses.
+/// preloaded bolt that a symmetry plane halves has half its preload. In limit analysis the
+/// resistances of the bolts are limits of the forces in the sections of their shanks. There is no
+/// entry for adaptation. A material or weld without an entry in `strengths` gets none in the model,
+/// which the engine then refuses.
 pub fn model_file(
     assembly: &Assembly,
     strengths: &DesignStrengths,
@@ -47,12 +50,17 @@ pub fn model_file(
     let has_body = |name: &String| mesh.bodies.contains(name);
     let has_face = |name: &str| mesh.faces_named(name).is_some();
     let kept: Vec<_> = assembly.parts.iter().filter(|p| has_body(&p.name)).collect();
+    let limited = match analysis {
+        AnalysisKind::Limit => bolt_entries::limits(assembly, strengths, mesh, symmetry_used),
+        _ => bolt_entries::Limits::default(),
+    };
     let materials = assembly
         .materials
         .iter()
         .filter(|(name, _)| kept.iter().any(|p| p.material == **name))
         .filter_map(|(name, m)| {
-            let fy = strengths.materials.get(name)?.map(Design::mpa);
+            let limited = limited.shanks.get(name).map(|fy| Some(*fy));
+            let fy = limited.or_else(|| Some(strengths.materials.get(name)?.map(Design::mpa)))?;
             Some((name.clone(), MaterialEntry { e: m.e, nu: m.nu, fy }))
         })
         .collect();
@@ -119,8 +127,8 @@ pub fn model_file(
         loads: loads(false),
         dead: loads(true),
         preload: preload_entries(assembly, mesh, symmetry_used),
-        cuts: Vec::new(),
-        resultant_limits: Vec::new(),
+        cuts: limited.cuts,
+        resultant_limits: limited.limits,
         adapt: None,
         symmetry: 1 << symmetry_used.len(),
     }
@@ -159,7 +167,7 @@ fn preload_entries(
 ) -> Vec<PreloadEntry> {
     let kept = assembly.preloads.iter().filter(|p| mesh.bodies.contains(&p.part));
     let entry = |p: &BoltPreload| {
-        let halvings = symmetry_used.iter().filter(|plane| halves(&p.surface, plane)).count();
+        let halvings = symmetry_used.iter().filter(|plane| p.surface.halved_by(plane)).count();
         PreloadEntry {
             body: p.part.clone(),
             cut: p.cut.clone(),
@@ -168,14 +176,6 @@ fn preload_entries(
         }
     };
     kept.map(entry).collect()
-}
-
-/// True when a symmetry plane passes through a plane piece of surface.
-fn halves(surface: &Surface, plane: &SymmetryPlane) -> bool {
-    match surface {
-        Surface::Plane { min, max, .. } => min[plane.axis] < 0.0 && max[plane.axis] > 0.0,
-        Surface::Mantle { .. } => false,
-    }
 }
 
 /// The sections on which forces and moments of a load case act. A symmetry plane that halves a
@@ -189,7 +189,7 @@ fn rigid_entries(
     for load in loads {
         let Action::Resultant { at, force, moment } = load.action else { continue };
         let surface = assembly.faces.iter().find(|f| f.name == load.face).map(|f| f.surface);
-        let cut = |plane: &&SymmetryPlane| surface.is_some_and(|s| halves(&s, plane));
+        let cut = |plane: &&SymmetryPlane| surface.is_some_and(|s| s.halved_by(plane));
         let cuts: Vec<usize> = symmetry_used.iter().filter(cut).map(|p| p.axis).collect();
         let share = 0.5_f64.powi(cuts.len() as i32);
         let (force, moment) = (force.map(|f| share * f), moment.map(|m| share * m));
@@ -227,6 +227,7 @@ fn rigid_entries(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::assembly::assembly::Surface;
     use crate::geometry::fixtures::{lap_joint, paper_joint};
     use crate::strength::{Nominal, WeldSteel};
     use bracket_engine::mesh::NamedFaces;
@@ -280,6 +281,7 @@ mod tests {
         let known = DesignStrengths {
             materials: [("steel".to_string(), Some(Design::new(213.6)))].into(),
             welds: [("WELD".to_string(), Design::new(207.8))].into(),
+            ..DesignStrengths::default()
         };
         assert_eq!(of(&known), (Some(Some(213.6)), Some(207.8)));
         assert_eq!(of(&DesignStrengths::default()), (None, None));

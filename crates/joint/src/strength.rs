@@ -129,6 +129,26 @@ pub enum NominalStrength {
     Bolt(BoltShank),
 }
 
+/// Design resistances of a bolt in its grip: limits of the forces in the sections of its shank.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BoltLimits {
+    /// Yield strength of a shank whose forces the limits hold: the shank carries either resistance
+    /// alone.
+    pub shank: Design,
+    /// Tension resistance \[N\].
+    pub tension: f64,
+    /// Shear resistance of a section between two plies \[N\].
+    pub shear: f64,
+    /// `c` of `V ≤ shear (1 − N/(c · tension))`.
+    pub interaction: f64,
+    /// Resistance of the plies under head and nut against punching \[N\].
+    pub punching: [f64; 2],
+    /// Resistance of each ply against bearing \[N\], on the two axes across the bolt in rising
+    /// order, for forces of the bolt on the ply in the negative and the positive direction. `None`
+    /// where the design code has no rule.
+    pub bearing: Vec<Option<[[f64; 2]; 2]>>,
+}
+
 /// Design strengths of the materials and welds of an assembly, with which an analysis computes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct DesignStrengths {
@@ -137,4 +157,6 @@ pub struct DesignStrengths {
     pub materials: BTreeMap<String, Option<Design>>,
     /// Shear strength on the throat by the name of the weld, for every weld of the assembly.
     pub welds: BTreeMap<String, Design>,
+    /// Resistances of the bolts by the name of their part, for every bolt of the assembly.
+    pub bolts: BTreeMap<String, BoltLimits>,
 }

@@ -1,12 +1,14 @@
 //! A design code with its partial factors.
 
 use crate::eurocode::bolts::shank_strength;
+use crate::eurocode::grip;
 use crate::eurocode::welds::shear_strength;
 use crate::eurocode::yielding::yield_strength;
+use bracket_joint::assembly::assembly::Grip;
 use bracket_joint::assembly::{Assembly, Joint};
 use bracket_joint::spec::code::{Edition, PartialFactors};
 use bracket_joint::strength::{
-    BoltShank, Design, DesignStrengths, Nominal, NominalStrength, WeldSteel,
+    BoltLimits, BoltShank, Design, DesignStrengths, Nominal, NominalStrength, WeldSteel,
 };
 
 /// A design code with its partial factors: the primitives that the analyses and the checks share.
@@ -49,6 +51,13 @@ impl DesignCode {
         }
     }
 
+    /// Resistances of a bolt in its grip.
+    pub fn bolt_limits(&self, grip: &Grip) -> BoltLimits {
+        match self {
+            Self::En1993_2005(f) => grip::limits(grip, f),
+        }
+    }
+
     /// Design shear strength of a fillet weld on its throat.
     pub fn weld_strength(&self, steel: &WeldSteel) -> Design {
         match self {
@@ -65,13 +74,14 @@ impl DesignCode {
         }
     }
 
-    /// Design strengths of all materials and welds of an assembly.
+    /// Design strengths of all materials and welds of an assembly, and resistances of its bolts.
     pub fn strengths(&self, assembly: &Assembly) -> DesignStrengths {
         let materials = assembly.materials.iter();
-        let welds = assembly.welds.iter();
+        let (welds, grips) = (assembly.welds.iter(), assembly.grips.iter());
         DesignStrengths {
             materials: materials.map(|(n, m)| (n.clone(), self.strength(&m.strength))).collect(),
             welds: welds.map(|w| (w.name.clone(), self.weld_strength(&w.steel))).collect(),
+            bolts: grips.map(|g| (g.part.clone(), self.bolt_limits(g))).collect(),
         }
     }
 }

@@ -4,8 +4,9 @@ use super::{DesignCode, build, design_strengths};
 use crate::eurocode::bolts::tension_resistance;
 use bracket_base::diag::Diagnostics;
 use bracket_base::yaml;
+use bracket_joint::assembly::assembly::{Grip, Ply, Room};
 use bracket_joint::assembly::{Facts, Joint};
-use bracket_joint::catalog::Catalog;
+use bracket_joint::catalog::{BoltSize, Catalog};
 use bracket_joint::spec::ConnectionSpec;
 use bracket_joint::spec::code::PartialFactors;
 use bracket_joint::strength::{BoltShank, Nominal, NominalStrength, WeldSteel};
@@ -181,4 +182,68 @@ fn wrong_factors_and_annexes_name_place_and_limit() {
         assert!(told.contains(words), "{code}: {d:#?}");
         assert_eq!(d.place.path.as_deref(), Some(place), "{code}: {d:#?}");
     }
+}
+
+/// M20 8.8 and 10.9 in two plates of S235, t = 12 and 20 mm, with holes of 22 mm: F_t,Rd = 141.12
+/// kN, F_v,Rd = 94.08 kN (10.9: α_v = 0.5, 98 kN), B_p,Rd = 0.6 π d_m t f_u/γ_M2, F_b,Rd by
+/// direction.
+#[test]
+fn grip_of_m20() {
+    let catalog = Catalog::builtin().expect("the shipped catalogue is sound");
+    let size = catalog.bolt("M20").expect("listed");
+    let room = Room {
+        edge: [[30.0, 120.0], [40.0, 160.0]],
+        pitch: [[f64::INFINITY, 90.0], [f64::INFINITY, 70.0]],
+    };
+    let ply = |thickness: f64, room: Option<Room>| Ply {
+        part: "P".into(),
+        thickness,
+        fu: Nominal::new(360.0),
+        room,
+    };
+    let grip = |grade: &str, hole: f64, extent: f64| Grip {
+        part: "B".into(),
+        axis: [1.0, 0.0, 0.0],
+        size: size.clone(),
+        grade: catalog.bolt_grade(grade).expect("listed").clone(),
+        hole,
+        extent,
+        plies: vec![ply(12.0, Some(room)), ply(20.0, None)],
+        sections: Vec::new(),
+    };
+    let of = |grip: &Grip| code(1.0, 1.25).bolt_limits(grip);
+    let found = of(&grip("8.8", 22.0, 100.0));
+    near(found.tension, 141_120.0);
+    near(found.shear, 94_080.0);
+    near(found.shank.mpa(), 94_080.0 * 3f64.sqrt() / 314.159_265);
+    let d_m = 0.5 * (size.head_width + size.head_corners);
+    let each = 0.6 * PI * d_m.min(nut_diameter(size)) * 360.0 / 1.25;
+    near(found.punching[0], each * 12.0);
+    near(found.punching[1], each * 20.0);
+    // toward −y: e1 = 30: α_b = 30/66, k1: e2 = 40: 2.5, p2 = 70: 1.4 · 70/22 − 1.7 = 2.7545
+    let by = |alpha: f64, k1: f64| k1 * alpha * 360.0 * 20.0 * 12.0 / 1.25;
+    let [[left, right], [down, up]] = found.bearing[0].expect("a plate");
+    near(left, by(30.0 / 66.0, 2.5));
+    // toward +y: e1 = 120, but p1 = 90: 90/66 − 1/4 > 1
+    near(right, by(1.0, 2.5));
+    // along z: e2 = 30: 2.8 · 30/22 − 1.7 = 2.118182; e1 = 40; e1 = 160, p1 = 70: 70/66 − 1/4
+    near(down, by(40.0 / 66.0, 2.118_181_818));
+    near(up, by(70.0 / 66.0 - 0.25, 2.118_181_818));
+    assert_eq!(found.bearing[1], None);
+    let strong = of(&grip("10.9", 22.0, 100.0));
+    near(strong.shear, 98_000.0);
+    near(strong.shank.mpa(), 176_400.0 / 314.159_265);
+    // a long joint: β_Lf = 1 − (500 − 300)/4000; an oversize hole, p2 = 70: 1.4 · 70/24 − 1.7; one
+    // beyond
+    near(of(&grip("8.8", 22.0, 500.0)).shear, 94_080.0 * 0.95);
+    let wide = of(&grip("8.8", 24.0, 100.0)).bearing[0].expect("known");
+    near(wide[0][0], 0.8 * by(30.0 / 72.0, 2.383_333_333));
+    assert_eq!(of(&grip("8.8", 30.0, 100.0)).bearing[0], None);
+    // 4.6: a shank that carried F_v,Rd by its yield would be stronger in bending than f_yb
+    near(of(&grip("4.6", 22.0, 0.0)).shank.mpa(), 240.0);
+}
+
+/// Mean diameter of the nut, its corners in the proportion of the head's.
+fn nut_diameter(size: &BoltSize) -> f64 {
+    0.5 * size.nut_width * (1.0 + size.head_corners / size.head_width)
 }

@@ -1,11 +1,11 @@
 //! Resistances of one bolt and of the plates that it clamps.
 
-use super::bolt_holes::{Clearance, shear_factor};
 use super::bolt_rows::{bolt, from_top, pitches};
 use super::clamped_plates::{ClampedPlate, clamped_plates};
 use crate::check::{Check, Topic, largest, within};
 use crate::eurocode::bearing::{Along, Hole};
 use crate::eurocode::bolts::{long_joint, shear_resistance, tension_resistance};
+use crate::eurocode::holes::{Clearance, shear_factor};
 use crate::eurocode::punching::{mean_diameter, punching_resistance};
 use crate::formula::Traced;
 use crate::subject::{Part, Place, Subject};
@@ -62,7 +62,7 @@ pub(super) fn bearing_at(
     z: f64,
     force: [f64; 2],
 ) -> Option<Worked> {
-    let known = Clearance::of(e) != Clearance::Beyond;
+    let known = Clearance::of(&e.bolt, e.hole) != Clearance::Beyond;
     known.then(|| bearing_in(e, plate, z, for_bearing(e, force), force))
 }
 
@@ -72,7 +72,7 @@ pub(super) fn bearing_at(
 /// # Source
 /// EN 1993-1-8:2005 3.6.1(5); Table 3.4 note 1.
 pub(super) fn for_bearing(e: &EndPlate, force: [f64; 2]) -> Hole {
-    match Clearance::of(e) {
+    match Clearance::of(&e.bolt, e.hole) {
         Clearance::Normal => Hole::Normal,
         Clearance::Small
             if within(shear_of_all(e, force), group_bearing(e, Hole::Normal, force)) =>
@@ -110,7 +110,7 @@ pub(super) fn bolt_shear(e: &EndPlate, [across, along]: [f64; 2]) -> Worked {
     let height = from_top(e);
     let height = height.first().zip(height.last()).map_or(0.0, |(a, b)| a - b);
     let long = long_joint(z.abs() * height + y.abs() * e.gauge, e.bolt.d);
-    let small = shear_factor(e);
+    let small = shear_factor(&e.bolt, &e.grade, e.hole);
     if small < 1.0 {
         worked = worked.then("small bolts in holes wider than normal (3.6.1(5))");
         reduced = Traced::from(small) * reduced;
@@ -131,7 +131,7 @@ pub(super) fn resistances(e: &EndPlate) -> Vec<Check> {
     out.push(tension.information(Topic::Bolts, subject.clone()));
     let thread = subject.and(Place::Thread);
     out.push(bolt_shear(e, DOWN).information(Topic::Bolts, thread));
-    let known = Clearance::of(e) != Clearance::Beyond;
+    let known = Clearance::of(&e.bolt, e.hole) != Clearance::Beyond;
     let hole = for_bearing(e, DOWN);
     for plate in clamped_plates(e) {
         out.push(

@@ -7,13 +7,13 @@
 
 use super::bolt_checks::{bearing_at, bolt_shear, for_bearing};
 use super::bolt_group::{GroupBolt, assumption, bearing_across, block_across, shear_forces};
-use super::bolt_holes::Clearance;
 use super::bolt_rows::from_top;
 use super::clamped_plates::{ClampedPlate, clamped_plates};
 use super::member_end::LoadedEnd;
 use crate::check::{Check, CheckId, Status, Topic, Unit, largest, number as n};
 use crate::eurocode::block_tearing::Blocks;
 use crate::eurocode::bolts::{shear_resistance, tension_resistance};
+use crate::eurocode::holes::Clearance;
 use crate::eurocode::interaction::{self, Forces};
 use crate::eurocode::punching::{mean_diameter, punching_resistance};
 use crate::formula::{Derivation, Number, Traced};
@@ -235,7 +235,7 @@ impl<'a> BoltForces<'a> {
 
     /// Bearing of a plate across the member at the row that uses it most.
     fn bearing_across(&self, plate: &ClampedPlate) -> Option<Check> {
-        let known = Clearance::of(self.e) != Clearance::Beyond;
+        let known = Clearance::of(&self.e.bolt, self.e.hole) != Clearance::Beyond;
         let hole = for_bearing(self.e, self.force);
         let each = self.sheared().into_iter().filter(|_| known).map(|(row, [a, b])| {
             let force = a[0].abs().max(b[0].abs());

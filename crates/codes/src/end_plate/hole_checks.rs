@@ -1,9 +1,9 @@
 //! Kind of the holes with its factors, as information.
 
 use super::bolt_checks::{DOWN, for_bearing, group_bearing, shear_of_all};
-use super::bolt_holes::{CLEARANCES, Clearance};
 use crate::check::{Check, CheckId, Topic, Unit, number as n};
 use crate::eurocode::bearing::Hole;
+use crate::eurocode::holes::{CLEARANCES, Clearance};
 use crate::formula::Traced;
 use crate::subject::Part;
 use crate::worked::Worked;
@@ -13,7 +13,7 @@ use bracket_joint::assembly::EndPlate;
 /// Kind of the holes with its factors.
 pub(super) fn holes(e: &EndPlate) -> Vec<Check> {
     let b = &e.bolt;
-    let kind = Clearance::of(e);
+    let kind = Clearance::of(&e.bolt, e.hole);
     let Some(slip) = kind.slip() else { return Vec::new() };
     let (id, part) = match (kind, for_bearing(e, DOWN)) {
         (Clearance::Normal, _) => (CheckId::NormalHoles, 1.0),

@@ -5,9 +5,9 @@
 //! Geometry that the tables of effective lengths do not cover is an error of the component method
 //! (`component_method::rows`), which becomes an undecided check of each load case.
 
-use super::bolt_holes::{CLEARANCES, Clearance};
 use super::bolt_rows::bolt;
 use crate::check::{Check, CheckId, Topic, Unit, within};
+use crate::eurocode::holes::{CLEARANCES, Clearance};
 use crate::formula::{Derivation, Line, Relation, Traced};
 use crate::subject::{Part, Subject};
 use bracket_base::say;
@@ -148,7 +148,7 @@ fn bolt_grade(e: &EndPlate) -> Option<Check> {
 
 /// Holes wider than oversize: no factor of bearing and no k_s.
 fn holes(e: &EndPlate) -> Option<Check> {
-    (Clearance::of(e) == Clearance::Beyond).then(|| {
+    (Clearance::of(&e.bolt, e.hole) == Clearance::Beyond).then(|| {
         let why = say!(
             "d0 = {} is wider than an oversize hole of {} = {}: no bearing resistance \
              (Table 3.4) and no k_s (Table 3.6)",

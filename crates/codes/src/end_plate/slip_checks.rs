@@ -1,9 +1,9 @@
 //! Slip of preloaded bolts by their category, and the kind of bolt assemblies.
 
-use super::bolt_holes::Clearance;
 use super::bolt_rows::bolt;
 use super::hole_checks::holes;
 use crate::check::{Check, CheckId, Status, Topic, Unit, within};
+use crate::eurocode::holes::Clearance;
 use crate::eurocode::slip::{preload, slip_resistance};
 use crate::formula::{Derivation, Formula, Number, Traced};
 use crate::subject::Subject;
@@ -47,7 +47,7 @@ pub(super) fn slip(e: &EndPlate, a: &PlaneActions) -> Option<Check> {
     };
     let [axial, vy, vz] = a.at(1.0)[0];
     let bolts = 2.0 * e.rows.len() as f64;
-    let Some(hole) = Clearance::of(e).slip() else {
+    let Some(hole) = Clearance::of(&e.bolt, e.hole).slip() else {
         let why = "Table 3.6 has no k_s for holes wider than oversize";
         let (clause, step) =
             ("EN 1993-1-8:2005 Table 3.6", "smaller holes (`parameters.hole_clearance`)");

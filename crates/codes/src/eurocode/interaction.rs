@@ -5,6 +5,12 @@ use crate::formula::{Number, Traced};
 use crate::unit::Unit;
 use crate::worked::Worked;
 
+/// Factor on F_t,Rd beside shear.
+///
+/// # Source
+/// EN 1993-1-8:2005 Table 3.4.
+pub const TENSION_BESIDE_SHEAR: f64 = 1.4;
+
 /// Forces and resistances of one bolt \[N\].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Forces {
@@ -29,7 +35,7 @@ pub fn utilisation(f: &Forces) -> Worked {
     let v = Traced::force("F_v,Ed", f.shear) / Traced::force("F_v,Rd", f.shear_resistance);
     let t = Traced::force("F_t,Ed", f.tension) / Traced::force("F_t,Rd", f.tension_resistance);
     let used = [("F_v,Ed/F_v,Rd", v.value()), ("F_t,Ed/F_t,Rd", t.value())];
-    let value = (v + t.clone() / Traced::from(1.4)).max(t);
+    let value = (v + t.clone() / Traced::from(TENSION_BESIDE_SHEAR)).max(t);
     let id = CheckId::BoltShearAndTension;
     let worked = Worked::of("EN 1993-1-8:2005 Table 3.4", id, "", value, Unit::Number);
     used.into_iter().fold(worked, |w, (symbol, value)| w.with(symbol, value, Unit::Number))

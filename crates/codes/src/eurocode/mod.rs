@@ -5,6 +5,8 @@ pub mod bearing;
 pub mod block_tearing;
 pub mod bolt_length;
 pub mod bolts;
+pub mod grip;
+pub mod holes;
 pub mod i_section;
 pub mod interaction;
 pub mod punching;

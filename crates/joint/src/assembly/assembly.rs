@@ -4,7 +4,8 @@
 //! It is built from the spec, the template and the catalogue. `geometry` turns its solids into a
 //! CAD script; `mesh` and `model` also read it.
 
-use crate::strength::{NominalStrength, WeldSteel};
+use crate::catalog::{BoltGrade, BoltSize};
+use crate::strength::{Nominal, NominalStrength, WeldSteel};
 use bracket_engine::model::FrictionLaw;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -198,6 +199,16 @@ pub enum Surface {
     },
 }
 
+impl Surface {
+    /// True when a symmetry plane passes through a plane piece of surface.
+    pub fn halved_by(&self, plane: &SymmetryPlane) -> bool {
+        match self {
+            Surface::Plane { min, max, .. } => min[plane.axis] < 0.0 && max[plane.axis] > 0.0,
+            Surface::Mantle { .. } => false,
+        }
+    }
+}
+
 /// A named outer face of a part.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FaceRule {
@@ -225,6 +236,61 @@ pub struct BoltPreload {
     pub axis: [f64; 3],
     /// Preload of the whole bolt \[N\].
     pub force: f64,
+}
+
+/// A bolt with the plies that it clamps, from head to nut.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Grip {
+    /// The bolt's part.
+    pub part: String,
+    /// Unit vector from head to nut, along an axis of the joint.
+    pub axis: [f64; 3],
+    /// The bolt.
+    pub size: BoltSize,
+    /// Its grade.
+    pub grade: BoltGrade,
+    /// Diameter of the holes \[mm\].
+    pub hole: f64,
+    /// Distance between the bolts of the ply that are farthest apart \[mm\]; the largest of all
+    /// plies.
+    pub extent: f64,
+    /// The plies, from head to nut.
+    pub plies: Vec<Ply>,
+    /// The sections of the shank between the plies: one less than plies.
+    pub sections: Vec<Section>,
+}
+
+/// A section of a bolt's shank.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Section {
+    /// Name, a physical surface inside the shank.
+    pub name: String,
+    /// A plane across the shank, wider than the shank.
+    pub surface: Surface,
+}
+
+/// A ply in the grip of a bolt.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ply {
+    /// Its part.
+    pub part: String,
+    /// Thickness \[mm\].
+    pub thickness: f64,
+    /// Ultimate strength of its steel.
+    pub fu: Nominal,
+    /// The room around the hole; `None` where the hole is in no plate and in no flange or web.
+    pub room: Option<Room>,
+}
+
+/// Distances from the axis of a hole, on the two axes of the joint across it in rising order, in
+/// the negative and the positive direction \[mm\].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Room {
+    /// To the edge of the plate, flange or web.
+    pub edge: [[f64; 2]; 2],
+    /// To the nearest other hole: the part of its distance along the axis. Holes more than 45° off
+    /// do not count. Infinite without one.
+    pub pitch: [[f64; 2]; 2],
 }
 
 /// A support on a named face.
@@ -303,6 +369,9 @@ pub struct Assembly {
     /// Preloaded bolts.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub preloads: Vec<BoltPreload>,
+    /// The bolts with their plies.
+    #[serde(skip)]
+    pub grips: Vec<Grip>,
 }
 
 /// Two parts with a required distance of at least `min`.

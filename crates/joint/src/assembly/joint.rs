@@ -285,6 +285,7 @@ fn assembly(
         w.between.iter().try_for_each(|p| known("welds", p))?;
     }
     let preloads = context.preloads(&bolts);
+    let grips = context.grips(&bolts, &holes)?;
     let mut a = Assembly {
         name,
         parts,
@@ -297,6 +298,7 @@ fn assembly(
         clearances,
         welds,
         preloads,
+        grips,
     };
     let moved = ledges::close(&mut a);
     a.symmetry = symmetry::planes(&a);

@@ -16,6 +16,11 @@ pub fn unit(axis: usize) -> [f64; 3] {
     v
 }
 
+/// The two axes across an axis, in rising order.
+pub fn across(axis: usize) -> [usize; 2] {
+    [[1, 2], [0, 2], [0, 1]][axis]
+}
+
 /// A box from three intervals.
 pub fn cuboid(x: [f64; 2], y: [f64; 2], z: [f64; 2]) -> Solid {
     Solid::Box { min: [x[0], y[0], z[0]], max: [x[1], y[1], z[1]] }

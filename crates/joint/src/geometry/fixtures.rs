@@ -304,6 +304,7 @@ pub(crate) fn paper_joint() -> Assembly {
         clearances: vec![],
         welds: vec![],
         preloads: vec![],
+        grips: vec![],
     }
 }
 
@@ -373,6 +374,7 @@ pub(crate) fn lap_joint() -> Assembly {
         clearances: vec![],
         welds: vec![],
         preloads: vec![],
+        grips: vec![],
     }
 }
 

@@ -49,7 +49,7 @@ pub fn script(scene: &Scene, purpose: Purpose) -> String {
     for (i, body) in scene.bodies.iter().enumerate() {
         let layered =
             matches!(purpose, Purpose::Mesh { layers: true, .. }).then_some(&body.part.mid_planes);
-        let cuts = (!w.exact).then(|| scene.preload_cuts(body.part));
+        let cuts = (!w.exact).then(|| scene.shank_cuts(body.part));
         let planes: Vec<MidPlane> =
             layered.into_iter().flatten().copied().chain(cuts.into_iter().flatten()).collect();
         w.body(i, body, &planes);
@@ -263,7 +263,7 @@ impl Writer {
         name
     }
 
-    /// Cuts the volumes by the pieces of planes (mid-thickness planes, cuts of preloaded shanks)
+    /// Cuts the volumes by the pieces of planes (mid-thickness planes, sections of shanks)
     /// inside them. A piece that ends inside the part stays as an inner face, so it needs no exact
     /// fit.
     fn inner_planes(&mut self, list: &str, body: &Body, planes: &[MidPlane]) {

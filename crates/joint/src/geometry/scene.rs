@@ -53,6 +53,27 @@ impl Body<'_> {
     }
 }
 
+/// A plane inside the shank of a bolt.
+#[derive(Clone, Copy, Debug)]
+pub struct ShankCut<'a> {
+    /// The bolt's part.
+    pub part: &'a String,
+    /// Name of the section.
+    pub name: &'a String,
+    /// A plane across the shank, wider than it.
+    pub surface: &'a Surface,
+}
+
+/// The cuts of all shanks: for the preload, and at the sections of the grips.
+pub fn shank_cuts(joint: &Assembly) -> impl Iterator<Item = ShankCut<'_>> {
+    let preloads = joint.preloads.iter();
+    let preloads = preloads.map(|p| ShankCut { part: &p.part, name: &p.cut, surface: &p.surface });
+    let grips = joint.grips.iter().flat_map(|g| {
+        g.sections.iter().map(|s| ShankCut { part: &g.part, name: &s.name, surface: &s.surface })
+    });
+    preloads.chain(grips)
+}
+
 impl<'a> Scene<'a> {
     /// The scene of the positive side of each symmetry plane, or of the whole joint if `full`.
     pub fn new(assembly: &'a Assembly, full: bool) -> Self {
@@ -79,13 +100,13 @@ impl<'a> Scene<'a> {
         Scene { assembly, symmetry, bodies }
     }
 
-    /// Planes at which the shank of a part is cut for its preload.
-    pub fn preload_cuts<'s>(&'s self, part: &'s Part) -> impl Iterator<Item = MidPlane> + 's {
-        self.assembly.preloads.iter().filter(|p| p.part == part.name).filter_map(|p| {
-            match p.surface {
-                Surface::Plane { axis, at, min, max } => Some(MidPlane { axis, at, min, max }),
-                Surface::Mantle { .. } => None,
-            }
+    /// Planes at which the shank of a part is cut: for its preload, and at the sections of its
+    /// grip.
+    pub fn shank_cuts<'s>(&'s self, part: &'s Part) -> impl Iterator<Item = MidPlane> + 's {
+        let mine = shank_cuts(self.assembly).filter(|cut| *cut.part == part.name);
+        mine.filter_map(|cut| match *cut.surface {
+            Surface::Plane { axis, at, min, max } => Some(MidPlane { axis, at, min, max }),
+            Surface::Mantle { .. } => None,
         })
     }
 

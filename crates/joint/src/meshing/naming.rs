@@ -11,7 +11,7 @@ pub use boundary::boundary_differences;
 
 use crate::assembly::assembly::Surface;
 use crate::geometry::exact;
-use crate::geometry::scene::Scene;
+use crate::geometry::scene::{Scene, ShankCut, shank_cuts};
 use agreement::{area_fault, contacts, disagree, volumes};
 use bracket_base::diag::{Diagnostic, Diagnostics};
 use bracket_engine::mesh::topology::{FaceRow, FaceTable};
@@ -67,7 +67,7 @@ pub fn name_imprints(mesh: &mut TetMesh, scene: &Scene) {
     let faces = joint.faces.iter().map(|f| (&f.name, &f.surface));
     let welds = joint.welds.iter().map(|w| (&w.name, &w.surface));
     let contacts = joint.interfaces.iter().filter_map(|i| i.surface.as_ref().map(|(n, s)| (n, s)));
-    let cuts = joint.preloads.iter().map(|p| (&p.cut, &p.surface));
+    let cuts = shank_cuts(joint).map(|c| (c.name, c.surface));
     let named = faces.chain(welds).chain(contacts).chain(cuts).map(|(name, surface)| NamedFaces {
         name: name.clone(),
         triangles: bounding
@@ -149,7 +149,7 @@ impl<'a> Naming<'a> {
         }
         self.outer_faces();
         self.symmetry_faces();
-        self.preload_cuts();
+        self.shank_cuts();
         Diagnostics::refuse(self.faults)?;
         Ok((self.faces, self.checks))
     }
@@ -256,22 +256,24 @@ impl<'a> Naming<'a> {
         }
     }
 
-    /// The faces inside preloaded shanks; each covers the whole section.
-    fn preload_cuts(&mut self) {
+    /// The sections of shanks. Each covers the whole shank.
+    fn shank_cuts(&mut self) {
         let (mesh, scene) = (self.mesh, self.scene);
-        for preload in &scene.assembly.preloads {
-            let (Some(body), Surface::Plane { axis, at, .. }) =
-                (scene.body(&preload.part), preload.surface)
-            else {
+        for ShankCut { part, name, surface } in shank_cuts(scene.assembly) {
+            let (Some(body), &Surface::Plane { axis, at, .. }) = (scene.body(part), surface) else {
                 continue;
             };
             let of_body = |row: &FaceRow| self.is_of(row, body);
             let inner = |rows: &[FaceRow]| matches!(rows, [p, q] if of_body(p) && of_body(q));
-            let triangles = self.triangles_on(&preload.surface, inner);
+            let triangles = self.triangles_on(surface, inner);
             let exact = exact::section_area(&scene.bodies[body], axis, at);
-            let what = format!("the cut {} of a preloaded bolt has", preload.cut);
-            self.compare(what, &preload.cut, total(mesh, &triangles), exact);
-            self.add(&preload.cut, triangles);
+            self.compare(
+                format!("the section {name} of a bolt has"),
+                name,
+                total(mesh, &triangles),
+                exact,
+            );
+            self.add(name, triangles);
         }
     }
 

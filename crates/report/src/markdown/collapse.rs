@@ -141,7 +141,8 @@ pub(crate) fn mechanism(doc: &mut Doc, case: &CaseResult) {
             case.support_slip.iter().map(|s| (say!("slip on support {}", &s.support), s.share));
         let ties = case.tie_slip.iter().map(|s| (say!("slip along {}", &s.tie), s.share));
         let limits = case.resultants.iter();
-        let limits = limits.filter_map(|r| Some((say!("limit {}", &r.limit), r.share?)));
+        let moved = limits.filter(|r| r.share.is_some_and(|s| s >= LEAST_SHARE));
+        let limits = moved.filter_map(|r| Some((say!("limit {}", &r.limit), r.share?)));
         let interfaces = welds.chain(supports).chain(ties).chain(limits);
         let mut parts: Vec<(Text, f64)> = bodies.chain(interfaces).collect();
         parts.sort_by(|a, b| b.1.total_cmp(&a.1));
@@ -153,6 +154,12 @@ pub(crate) fn mechanism(doc: &mut Doc, case: &CaseResult) {
     resultants(doc, case);
 }
 
+/// Resultant limits listed in a report, the most used ones.
+const LISTED: usize = 16;
+
+/// Least share of the dissipation of a resultant limit that is listed.
+const LEAST_SHARE: f64 = 5e-4;
+
 /// Forces through the cuts whose resultants are limited.
 fn resultants(doc: &mut Doc, case: &CaseResult) {
     let row = |r: &ResultantUse| {
@@ -162,7 +169,10 @@ fn resultants(doc: &mut Doc, case: &CaseResult) {
         let [x, y, z] = force;
         Some([r.limit.clone(), x, y, z, most, used].map(Text::from))
     };
-    let rows: Vec<_> = case.resultants.iter().filter_map(row).collect();
+    let mut most_used: Vec<&ResultantUse> = case.resultants.iter().collect();
+    let used = |r: &ResultantUse| r.utilisation.unwrap_or(0.0);
+    most_used.sort_by(|a, b| used(b).total_cmp(&used(a)));
+    let rows: Vec<_> = most_used.iter().filter_map(|r| row(r)).take(LISTED).collect();
     if rows.is_empty() {
         return;
     }
@@ -170,6 +180,13 @@ fn resultants(doc: &mut Doc, case: &CaseResult) {
         "Limited forces of the meshed part in the stress of the lower bound ({}):",
         &case.name
     ));
+    if rows.len() < case.resultants.len() {
+        doc.paragraph(say!(
+            "The {} most used of {} limits; `result.json` has all of them.",
+            rows.len(),
+            case.resultants.len()
+        ));
+    }
     let columns = ["limited force", "F_x [kN]", "F_y [kN]", "F_z [kN]", "at most [kN]", "used [%]"];
     doc.table(&Table::new(columns, rows));
 }

@@ -38,6 +38,21 @@ pub(in crate::assembly) struct Bolt<'a> {
     pub through: Vec<(String, f64)>,
 }
 
+impl Bolt<'_> {
+    /// A plane across the shank, wider than it, at a distance from the head's bearing face \[mm\].
+    pub(super) fn plane(&self, distance: f64) -> Surface {
+        let centre = self.hole.point(distance);
+        let beside = |sign: f64| std::array::from_fn(|k| centre[k] + sign * self.hole.beyond(k));
+        let axis = self.hole.axis;
+        Surface::Plane { axis, at: centre[axis], min: beside(-1.0), max: beside(1.0) }
+    }
+
+    /// Gap all round the shank \[mm\].
+    pub(super) fn shank_gap(&self) -> Result<f64, AssemblyError> {
+        within(&self.entry.name, self.scope.length(&self.entry.shank_gap))
+    }
+}
+
 impl<'a> Context<'a> {
     /// The bolts of all passes of their loops.
     pub(in crate::assembly) fn bolts(&self) -> Result<Vec<Bolt<'a>>, AssemblyError> {
@@ -122,14 +137,7 @@ impl<'a> Context<'a> {
         let Some(force) = self.inputs.preload else { return Vec::new() };
         let cut = |b: &Bolt<'_>| {
             let (_, thickness) = b.through.first()?;
-            let centre = b.hole.point(thickness / 2.0);
-            let beside = |sign: f64| std::array::from_fn(|k| centre[k] + sign * b.hole.beyond(k));
-            let surface = Surface::Plane {
-                axis: b.hole.axis,
-                at: centre[b.hole.axis],
-                min: beside(-1.0),
-                max: beside(1.0),
-            };
+            let surface = b.plane(thickness / 2.0);
             let (part, cut) = (b.name.clone(), format!("CUT_{}", b.name));
             Some(BoltPreload { part, cut, surface, axis: b.hole.direction(), force })
         };
@@ -170,7 +178,7 @@ impl<'a> Context<'a> {
         let Some((size, _)) = self.inputs.bolt else {
             return entry_fault(at, "the template needs `bolts`");
         };
-        let gap = within(at, b.scope.length(&b.entry.shank_gap))?;
+        let gap = b.shank_gap()?;
         let mut out = Vec::new();
         let face = |distance: f64, across_flats: f64| {
             let centre = b.hole.point(distance);

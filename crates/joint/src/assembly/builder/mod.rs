@@ -3,6 +3,7 @@
 mod bolts;
 mod boundary;
 mod context;
+mod grips;
 mod interfaces;
 mod parts;
 mod shapes;

@@ -1,11 +1,11 @@
 //! Kind of the holes by their clearance, and what it does to slip and to the shear of small bolts.
 
+use super::slip::SlipHole;
 use crate::check::within;
-use crate::eurocode::slip::SlipHole;
-use bracket_joint::assembly::EndPlate;
+use bracket_joint::catalog::{BoltGrade, BoltSize};
 
 /// Clause of the clearances.
-pub(super) const CLEARANCES: &str = "EN 1090-2:2008 Table 11";
+pub const CLEARANCES: &str = "EN 1090-2:2008 Table 11";
 /// Largest bolt that 3.6.1(5) allows in holes with 2 mm clearance \[mm\].
 const SMALL_BOLT: f64 = 14.0;
 /// That clearance \[mm\].
@@ -20,7 +20,7 @@ const FULL_SHEAR: [&str; 2] = ["4.6", "5.6"];
 /// # Source
 /// EN 1090-2:2008 Table 11; EN 1993-1-8:2005 3.6.1(4) and (5).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Clearance {
+pub enum Clearance {
     /// At most that of a normal hole.
     Normal,
     /// 2 mm of a bolt up to M14, whose normal clearance is 1 mm.
@@ -32,14 +32,13 @@ pub(super) enum Clearance {
 }
 
 impl Clearance {
-    /// Kind of the holes of an end plate.
-    pub fn of(e: &EndPlate) -> Self {
-        let b = &e.bolt;
-        if within(e.hole, b.hole_normal) {
+    /// Kind of a hole of a diameter \[mm\] for a bolt.
+    pub fn of(bolt: &BoltSize, hole: f64) -> Self {
+        if within(hole, bolt.hole_normal) {
             Clearance::Normal
-        } else if within(b.d, SMALL_BOLT) && within(e.hole, b.d + SMALL_CLEARANCE) {
+        } else if within(bolt.d, SMALL_BOLT) && within(hole, bolt.d + SMALL_CLEARANCE) {
             Clearance::Small
-        } else if within(e.hole, b.hole_oversize) {
+        } else if within(hole, bolt.hole_oversize) {
             Clearance::Oversize
         } else {
             Clearance::Beyond
@@ -64,7 +63,7 @@ impl Clearance {
 ///
 /// # Source
 /// EN 1993-1-8:2005 3.6.1(5).
-pub(super) fn shear_factor(e: &EndPlate) -> f64 {
-    let small = within(e.bolt.d, SMALL_BOLT) && Clearance::of(e) != Clearance::Normal;
-    if small && !FULL_SHEAR.contains(&e.grade.grade.as_str()) { SMALL_SHEAR } else { 1.0 }
+pub fn shear_factor(bolt: &BoltSize, grade: &BoltGrade, hole: f64) -> f64 {
+    let small = within(bolt.d, SMALL_BOLT) && Clearance::of(bolt, hole) != Clearance::Normal;
+    if small && !FULL_SHEAR.contains(&grade.grade.as_str()) { SMALL_SHEAR } else { 1.0 }
 }

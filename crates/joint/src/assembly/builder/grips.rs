@@ -1,0 +1,180 @@
+//! The grips of the bolts: plies with their room, and the sections of the shanks.
+
+use super::bolts::Bolt;
+use super::context::Context;
+use super::shapes::{Body, Shape};
+use crate::assembly::assembly::{Grip, Ply, Room, Section};
+use crate::assembly::error::AssemblyError;
+use crate::assembly::evaluate::{entry_fault, within};
+use crate::assembly::part::{Hole, across};
+use crate::strength::Strength;
+use std::collections::BTreeMap;
+
+/// Another hole is a neighbour in a direction if its distance across it is at most this times its
+/// distance along it: 45°.
+const NEIGHBOUR: f64 = 1.0;
+
+/// A part with holes: its steel, and the boxes of its plates, flanges and webs.
+struct Bolted {
+    steel: Strength,
+    blocks: Vec<[[f64; 2]; 3]>,
+}
+
+impl Context<'_> {
+    /// The grips of the bolts; `holes` are the holes of each part.
+    pub(in crate::assembly) fn grips(
+        &self,
+        bolts: &[Bolt<'_>],
+        holes: &BTreeMap<&str, Vec<Hole>>,
+    ) -> Result<Vec<Grip>, AssemblyError> {
+        let bolted = self.bolted(holes)?;
+        let extents: BTreeMap<&str, f64> = holes.iter().map(|(p, h)| (*p, extent(h))).collect();
+        let mut out = Vec::new();
+        for b in bolts {
+            let Some((size, grade)) = self.inputs.bolt else {
+                return entry_fault(&b.name, "the template needs `bolts`");
+            };
+            let mut plies = Vec::new();
+            let mut from = 0.0;
+            let mut sections = Vec::new();
+            for (i, (part, thickness)) in b.through.iter().enumerate() {
+                let Some(of) = bolted.get(part.as_str()) else {
+                    return entry_fault(&b.name, format!("there is no part `{part}`"));
+                };
+                let middle = b.hole.point(from + 0.5 * thickness);
+                let others = holes.get(part.as_str()).map_or(&[][..], Vec::as_slice);
+                plies.push(Ply {
+                    part: part.clone(),
+                    thickness: *thickness,
+                    fu: of.steel.fu,
+                    room: room(middle, b.hole.axis, &of.blocks, others),
+                });
+                if i > 0 {
+                    sections.push(section(b, i, from));
+                }
+                from += thickness;
+            }
+            let gap = b.shank_gap()?;
+            let extent = b.through.iter().filter_map(|(p, _)| extents.get(p.as_str()));
+            out.push(Grip {
+                part: b.name.clone(),
+                axis: b.hole.direction(),
+                size: size.clone(),
+                grade: grade.clone(),
+                hole: if gap > 0.0 { size.d + 2.0 * gap } else { size.hole_normal },
+                extent: extent.copied().fold(0.0, f64::max),
+                plies,
+                sections,
+            });
+        }
+        Ok(out)
+    }
+
+    /// The parts with holes.
+    fn bolted(
+        &self,
+        holes: &BTreeMap<&str, Vec<Hole>>,
+    ) -> Result<BTreeMap<String, Bolted>, AssemblyError> {
+        let mut out = BTreeMap::new();
+        for entry in &self.template.parts {
+            let at = entry.name.as_str();
+            for scope in within(at, self.scope.turns(&entry.each, entry.when.as_ref()))? {
+                let name = within(at, scope.text(at))?;
+                if !holes.contains_key(name.as_str()) {
+                    continue;
+                }
+                let thickness = within(at, scope.length(&entry.thickness))?;
+                let steel = self.inputs.strength(self.spec, &entry.steel, thickness)?;
+                let mut blocks = Vec::new();
+                for Shape { body, .. } in self.shapes(entry, &scope)? {
+                    match body {
+                        Body::Profile(_, placed) => blocks.extend(placed.blocks()),
+                        Body::Cuboid(x) => blocks.push(x),
+                    }
+                }
+                out.insert(name, Bolted { steel, blocks });
+            }
+        }
+        Ok(out)
+    }
+}
+
+/// The section of a shank at a distance from the head's bearing face \[mm\].
+fn section(b: &Bolt<'_>, number: usize, distance: f64) -> Section {
+    Section { name: format!("SECTION_{}_{number}", b.name), surface: b.plane(distance) }
+}
+
+/// The room around a hole with its axis through `centre`, a point inside the ply, among the blocks
+/// and holes of a part.
+fn room(centre: [f64; 3], axis: usize, blocks: &[[[f64; 2]; 3]], holes: &[Hole]) -> Option<Room> {
+    let inside = |x: &&[[f64; 2]; 3]| (0..3).all(|k| x[k][0] < centre[k] && centre[k] < x[k][1]);
+    let block = blocks.iter().find(inside)?;
+    let axes = across(axis);
+    let edge = axes.map(|k| [centre[k] - block[k][0], block[k][1] - centre[k]]);
+    let mut pitch = [[f64::INFINITY; 2]; 2];
+    for other in holes.iter().filter(|o| o.axis == axis) {
+        let from = axes.map(|k| other.base[k] - centre[k]);
+        // a hole of another plate of the part is no neighbour
+        if (0..2).any(|i| from[i] < -edge[i][0] || from[i] > edge[i][1]) {
+            continue;
+        }
+        for i in 0..2 {
+            let (along, off) = (from[i].abs(), from[1 - i].abs());
+            if along > 0.0 && off <= NEIGHBOUR * along {
+                let nearest = &mut pitch[i][usize::from(from[i] > 0.0)];
+                *nearest = nearest.min(along);
+            }
+        }
+    }
+    Some(Room { edge, pitch })
+}
+
+/// The largest distance between two holes \[mm\].
+fn extent(holes: &[Hole]) -> f64 {
+    let distance = |a: &Hole, b: &Hole| {
+        across(a.axis).iter().map(|&k| (a.base[k] - b.base[k]).powi(2)).sum::<f64>().sqrt()
+    };
+    let pairs = holes.iter().enumerate().flat_map(|(i, a)| holes[..i].iter().map(move |b| (a, b)));
+    pairs.filter(|(a, b)| a.axis == b.axis).map(|(a, b)| distance(a, b)).fold(0.0, f64::max)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn hole(x: f64, y: f64, z: f64) -> Hole {
+        Hole { base: [x, y, z], axis: 0, toward: -1.0, length: 30.0, radius: 10.0, segments: 16 }
+    }
+
+    /// Four holes in a plate of 150 x 200 mm, one in the flange behind, one in a plate that starts
+    /// beside.
+    #[test]
+    fn room_of_a_hole_by_direction() {
+        let plate = [[0.0, 15.0], [-75.0, 75.0], [0.0, 200.0]];
+        let beside = [[0.0, 15.0], [-75.0, 75.0], [200.0, 400.0]];
+        let holes = [
+            hole(15.0, -45.0, 40.0),
+            hole(15.0, 45.0, 40.0),
+            hole(15.0, -45.0, 110.0),
+            hole(15.0, 45.0, 110.0),
+            hole(15.0, -45.0, 210.0),
+        ];
+        let of = |centre: [f64; 3]| room(centre, 0, &[beside, plate], &holes);
+        let found = of([7.5, -45.0, 40.0]).expect("inside the plate");
+        assert_eq!(found.edge, [[30.0, 120.0], [40.0, 160.0]]);
+        assert_eq!(found.pitch, [[f64::INFINITY, 90.0], [f64::INFINITY, 70.0]]);
+        let upper = of([7.5, 45.0, 110.0]).expect("inside the plate");
+        assert_eq!(upper.edge, [[120.0, 30.0], [110.0, 90.0]]);
+        assert_eq!(upper.pitch, [[90.0, f64::INFINITY], [70.0, f64::INFINITY]]);
+        assert_eq!(of([20.0, 45.0, 110.0]), None);
+    }
+
+    /// A hole in the next row on the other side counts in the direction that it is nearer to.
+    #[test]
+    fn staggered_holes_are_neighbours_in_one_direction() {
+        let plate = [[0.0, 15.0], [-100.0, 100.0], [0.0, 200.0]];
+        let holes = [hole(15.0, 0.0, 50.0), hole(15.0, 30.0, 90.0)];
+        let found = room([7.5, 0.0, 50.0], 0, &[plate], &holes).expect("inside");
+        assert_eq!(found.pitch, [[f64::INFINITY; 2], [f64::INFINITY, 40.0]]);
+    }
+}

@@ -1,0 +1,260 @@
+//! The resistances of the bolts as limits of the forces in the sections of their shanks.
+
+use crate::assembly::Assembly;
+use crate::assembly::assembly::{Grip, Section, SymmetryPlane};
+use crate::assembly::part::across;
+use crate::strength::{BoltLimits, DesignStrengths};
+use bracket_engine::mesh::TetMesh;
+use bracket_engine::model::file::{CutEntry, ResultantLimitEntry};
+use std::collections::BTreeMap;
+
+const NAMES: [&str; 3] = ["x", "y", "z"];
+
+/// Cuts and limits of the meshed bolts.
+#[derive(Default)]
+pub(super) struct Limits {
+    pub cuts: Vec<CutEntry>,
+    pub limits: Vec<ResultantLimitEntry>,
+    /// Yield strength of the shanks that are limited, by the key of their material \[MPa\].
+    pub shanks: BTreeMap<String, f64>,
+}
+
+/// The limits of all bolts whose sections the mesh has. A symmetry plane that halves a bolt halves
+/// its resistances, and there is no force across the plane in the whole bolt.
+pub(super) fn limits(
+    assembly: &Assembly,
+    strengths: &DesignStrengths,
+    mesh: &TetMesh,
+    symmetry_used: &[SymmetryPlane],
+) -> Limits {
+    let mut out = Limits::default();
+    let bolts = assembly.grips.iter().filter(|g| mesh.bodies.contains(&g.part));
+    let cut = |g: &&Grip| {
+        !g.sections.is_empty() && g.sections.iter().all(|s| mesh.faces_named(&s.name).is_some())
+    };
+    for grip in bolts.filter(cut) {
+        let Some(bolt) = strengths.bolts.get(&grip.part) else { continue };
+        let halving = |s: &&SymmetryPlane| grip.sections[0].surface.halved_by(s);
+        let halving: Vec<usize> = symmetry_used.iter().filter(halving).map(|s| s.axis).collect();
+        Bolt { grip, bolt, share: 0.5_f64.powi(halving.len() as i32), halving }.add(&mut out);
+        let part = assembly.parts.iter().find(|p| p.name == grip.part);
+        if let Some(part) = part {
+            let shank = out.shanks.entry(part.material.clone()).or_insert(f64::INFINITY);
+            *shank = shank.min(bolt.shank.mpa());
+        }
+    }
+    out
+}
+
+/// A bolt, the share of it that is meshed and the axes across which it is halved.
+struct Bolt<'a> {
+    grip: &'a Grip,
+    bolt: &'a BoltLimits,
+    share: f64,
+    halving: Vec<usize>,
+}
+
+impl Bolt<'_> {
+    fn add(&self, out: &mut Limits) {
+        let Grip { part, axis, sections, .. } = self.grip;
+        for (i, section) in sections.iter().enumerate() {
+            out.cuts.push(CutEntry { body: part.clone(), cut: section.name.clone(), axis: *axis });
+            self.in_section(out, i);
+        }
+        for (i, resistances) in self.bolt.bearing.iter().enumerate() {
+            if let Some(resistances) = resistances {
+                self.in_bearing(out, i, *resistances);
+            }
+        }
+    }
+
+    /// The axes across the bolt that no symmetry plane holds, each with its number.
+    fn open(&self) -> impl Iterator<Item = (usize, usize)> {
+        let along = (0..3).find(|&k| self.grip.axis[k] != 0.0).unwrap_or(0);
+        across(along).into_iter().enumerate().filter(|(_, k)| !self.halving.contains(k))
+    }
+
+    fn limit(&self, out: &mut Limits, name: String, cuts: [&[Section]; 2], set: Set) {
+        let [cuts, minus] = cuts.map(|c| c.iter().map(|s| s.name.clone()).collect());
+        let Set { along, across, at_most } = set;
+        let at_most = self.share * at_most;
+        out.limits.push(ResultantLimitEntry { name, cuts, minus, along, across, at_most });
+    }
+
+    /// Tension, shear, and both together in a section between two plies. All of the tension passes
+    /// on through the head or the nut to the outer ply, which must not be punched.
+    fn in_section(&self, out: &mut Limits, i: usize) {
+        let Self { grip, bolt, .. } = self;
+        let here = [std::slice::from_ref(&grip.sections[i]), &[]];
+        let outer = [(i == 0, bolt.punching[0]), (i + 1 == grip.sections.len(), bolt.punching[1])];
+        let punching = outer.iter().filter(|o| o.0).fold(f64::INFINITY, |least, o| least.min(o.1));
+        let pull = if punching < bolt.tension { "punching" } else { "tension" };
+        let name = |what: &str| format!("{} in shear plane {}: {what}", grip.part, i + 1);
+        let tension = punching.min(bolt.tension);
+        self.limit(out, name(pull), here, Set::along(grip.axis, tension));
+        let ratio = bolt.shear / (bolt.interaction * bolt.tension);
+        let unit = |k: usize| std::array::from_fn(|d| f64::from(u8::from(d == k)));
+        let across: Vec<[f64; 3]> = self.open().map(|(_, k)| unit(k)).collect();
+        if !across.is_empty() {
+            let shear = |along| Set { along, across: across.clone(), at_most: bolt.shear };
+            self.limit(out, name("shear"), here, shear([0.0; 3]));
+            let both = shear(grip.axis.map(|a| ratio * a));
+            self.limit(out, name("tension and shear"), here, both);
+        }
+    }
+
+    /// Bearing of a ply by direction. The ply takes what passes through the section on the side of
+    /// the nut less what passes on the side of the head; an outer ply also takes what its head or
+    /// nut transfers. Where it has one section only, a resistance above that in shear is not needed.
+    fn in_bearing(&self, out: &mut Limits, i: usize, resistances: [[f64; 2]; 2]) {
+        let sections = &self.grip.sections;
+        let after = &sections[i..(i + 1).min(sections.len())];
+        let before = if i > 0 { &sections[i - 1..i] } else { &[] };
+        let outer = after.is_empty() || before.is_empty();
+        let ply = &self.grip.plies[i].part;
+        for (slot, k) in self.open() {
+            for (sign, resistance) in [-1.0, 1.0].into_iter().zip(resistances[slot]) {
+                if outer && resistance >= self.bolt.shear {
+                    continue;
+                }
+                let way = if sign < 0.0 { "-" } else { "+" };
+                let name =
+                    format!("{} in bearing on {ply} toward {way}{}", self.grip.part, NAMES[k]);
+                let mut along = [0.0; 3];
+                along[k] = if after.is_empty() { -sign } else { sign };
+                let cuts = if after.is_empty() { [before, after] } else { [after, before] };
+                self.limit(out, name, cuts, Set::along(along, resistance));
+            }
+        }
+    }
+}
+
+/// `along · R + ‖across R‖ ≤ at_most` of the whole bolt.
+struct Set {
+    along: [f64; 3],
+    across: Vec<[f64; 3]>,
+    at_most: f64,
+}
+
+impl Set {
+    fn along(along: [f64; 3], at_most: f64) -> Self {
+        Self { along, across: Vec::new(), at_most }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::assembly::assembly::{Ply, Section, Surface};
+    use crate::catalog::Catalog;
+    use crate::geometry::fixtures::lap_joint;
+    use crate::model_file::model_file;
+    use crate::strength::{Design, Nominal};
+    use bracket_engine::mesh::NamedFaces;
+    use bracket_engine::model::AnalysisKind;
+    use bracket_engine::model::file::ModelFile;
+
+    /// The lap with the grip of its bolt: head above, nut below.
+    fn gripped() -> Assembly {
+        let catalog = Catalog::builtin().expect("the shipped catalogue is sound");
+        let plane = |at: f64| Surface::Plane {
+            axis: 2,
+            at,
+            min: [-15.0, -15.0, at],
+            max: [15.0, 15.0, at],
+        };
+        let ply = |part: &str| Ply {
+            part: part.into(),
+            thickness: 10.0,
+            fu: Nominal::new(360.0),
+            room: None,
+        };
+        let mut joint = lap_joint();
+        joint.grips = vec![Grip {
+            part: "BOLT".into(),
+            axis: [0.0, 0.0, -1.0],
+            size: catalog.bolt("M16").expect("listed").clone(),
+            grade: catalog.bolt_grade("8.8").expect("listed").clone(),
+            hole: 18.0,
+            extent: 0.0,
+            plies: vec![ply("UPPER"), ply("LOWER")],
+            sections: vec![Section { name: "SECTION_BOLT_1".into(), surface: plane(0.0) }],
+        }];
+        joint
+    }
+
+    fn model(
+        joint: &Assembly,
+        strengths: &DesignStrengths,
+        axes: &[usize],
+        kind: AnalysisKind,
+    ) -> ModelFile {
+        let faces = ["SECTION_BOLT_1", "BASE", "PULL"].into_iter().map(String::from);
+        let mesh = TetMesh {
+            bodies: ["UPPER", "LOWER", "BOLT"].map(String::from).to_vec(),
+            faces: faces.map(|name| NamedFaces { name, triangles: vec![] }).collect(),
+            ..TetMesh::default()
+        };
+        let planes: Vec<SymmetryPlane> = axes.iter().map(|&axis| SymmetryPlane { axis }).collect();
+        model_file(joint, strengths, &mesh, &planes, "mesh.msh", "PULL", kind)
+    }
+
+    /// The shear plane with punching, and bearing of either ply by direction; half of it where a
+    /// plane of symmetry halves the bolt, without the forces across the plane. Nothing outside limit
+    /// analysis, and nothing without resistances.
+    #[test]
+    fn the_sections_of_a_bolt_have_its_resistances() {
+        let joint = gripped();
+        let bolt = BoltLimits {
+            shank: Design::new(500.0),
+            tension: 100e3,
+            shear: 70e3,
+            interaction: 1.4,
+            punching: [110e3, 90e3],
+            bearing: vec![Some([[1e3, 80e3], [3e3, 4e3]]), Some([[5e3, 6e3], [80e3, 80e3]])],
+        };
+        let known = DesignStrengths {
+            bolts: [("BOLT".to_string(), bolt)].into(),
+            materials: joint.materials.keys().map(|k| (k.clone(), None)).collect(),
+            ..DesignStrengths::default()
+        };
+        let whole = model(&joint, &known, &[], AnalysisKind::Limit);
+        assert_eq!(whole.cuts.len(), 1);
+        let key = &joint.parts.iter().find(|p| p.name == "BOLT").expect("a bolt").material;
+        assert_eq!(whole.materials[key].fy, Some(500.0));
+        let told = |m: &ModelFile| -> Vec<(String, [f64; 3], usize, f64)> {
+            let limits = m.resultant_limits.iter();
+            limits.map(|l| (l.name.clone(), l.along, l.across.len(), l.at_most)).collect()
+        };
+        let entry =
+            |name: &str, along, across, at_most| (format!("BOLT {name}"), along, across, at_most);
+        let down = [0.0, 0.0, -1.0];
+        let bearing = |ply: &str, way: &str| format!("in bearing on {ply} toward {way}");
+        // none where a ply carries more than the bolt in shear; the force on the lower ply is
+        // opposite to that on the section
+        let want = [
+            entry("in shear plane 1: punching", down, 0, 90e3),
+            entry("in shear plane 1: shear", [0.0; 3], 2, 70e3),
+            entry("in shear plane 1: tension and shear", [0.0, 0.0, -0.5], 2, 70e3),
+            entry(&bearing("UPPER", "-x"), [-1.0, 0.0, 0.0], 0, 1e3),
+            entry(&bearing("UPPER", "-y"), [0.0, -1.0, 0.0], 0, 3e3),
+            entry(&bearing("UPPER", "+y"), [0.0, 1.0, 0.0], 0, 4e3),
+            entry(&bearing("LOWER", "-x"), [1.0, 0.0, 0.0], 0, 5e3),
+            entry(&bearing("LOWER", "+x"), [-1.0, 0.0, 0.0], 0, 6e3),
+        ];
+        assert_eq!(told(&whole), want);
+        let section = ["SECTION_BOLT_1".to_string()];
+        assert!(whole.resultant_limits.iter().all(|l| l.cuts == section && l.minus.is_empty()));
+        let half = model(&joint, &known, &[1], AnalysisKind::Limit);
+        let halved: Vec<_> = want
+            .into_iter()
+            .filter(|(name, ..)| !name.ends_with('y'))
+            .map(|(name, along, across, most)| (name, along, across / 2, most / 2.0))
+            .collect();
+        assert_eq!(told(&half), halved);
+        let elastic = model(&joint, &known, &[], AnalysisKind::Elastic);
+        assert!(elastic.cuts.is_empty() && elastic.resultant_limits.is_empty());
+        let none = model(&joint, &DesignStrengths::default(), &[], AnalysisKind::Limit);
+        assert!(none.cuts.is_empty() && none.resultant_limits.is_empty());
+    }
+}
