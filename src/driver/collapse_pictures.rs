@@ -97,13 +97,14 @@ fn mechanism(
         Some([bodies, ..]) if bodies < LITTLE => {
             // the remaining plastic flow is rounding error and is not drawn
             densities.fill(0.0);
-            "welds and slip between bodies dissipate all, the parts do not flow".into()
+            "welds, slip and limited forces of bolts dissipate all, the parts do not flow".into()
         }
-        Some([bodies, welds, supports, ties]) => {
+        Some([bodies, welds, supports, ties, limits]) => {
             let others = [
                 (welds, "in welds"),
                 (supports, "by slip on supports"),
                 (ties, "by slip between bodies"),
+                (limits, "at limited forces"),
             ];
             say!(
                 "coloured by its dissipation: {}; half of that in the bodies has a density above 1",
@@ -165,11 +166,12 @@ fn limiting(
     Some(Ok((pictures, caption)))
 }
 
-/// Shares of bodies, welds, slip on supports and slip along ties in the dissipation of a mechanism;
-/// `None` if nothing dissipates.
-fn shares_of(pass: &LimitPass) -> Option<[f64; 4]> {
+/// Shares of bodies, welds, slip on supports, slip along ties and resultant limits in the dissipation
+/// of a mechanism; `None` if nothing dissipates.
+fn shares_of(pass: &LimitPass) -> Option<[f64; 5]> {
     let c = pass.upper.as_ref()?.certificate();
-    let shares = [&c.dissipation, &c.welds, &c.supports, &c.ties].map(|d| d.iter().sum::<f64>());
+    let each = [&c.dissipation, &c.welds, &c.supports, &c.ties, &c.resultants];
+    let shares = each.map(|d| d.iter().sum::<f64>());
     let total: f64 = shares.iter().sum();
     (total > 0.0).then(|| shares.map(|d| d / total))
 }

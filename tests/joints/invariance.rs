@@ -82,6 +82,11 @@ fn moved(file: &ModelFile, mesh: &TetMesh, r: &M3, d: [f64; 3]) -> (ModelFile, T
             e.free = e.free.iter().map(|m| MOTIONS[image(of(m) % 3) + of(m) / 3 * 3]).collect();
         }
     }
+    file.cuts.iter_mut().for_each(|c| c.axis = apply(r, c.axis));
+    for limit in &mut file.resultant_limits {
+        limit.along = apply(r, limit.along);
+        limit.across.iter_mut().for_each(|row| *row = apply(r, *row));
+    }
     assert!(file.loads.is_empty() && file.dead.is_empty(), "only member ends are turned here");
     (file, mesh)
 }
@@ -100,6 +105,8 @@ fn reordered(file: &ModelFile, mesh: &TetMesh) -> (ModelFile, TetMesh) {
     mesh.tets.iter_mut().for_each(|t| *t = [t[1], t[2], t[0], t[3]].map(|v| n - 1 - v));
     mesh.faces.reverse();
     mesh.faces.iter_mut().flat_map(|f| &mut f.triangles).for_each(|t| *t = t.map(|v| n - 1 - v));
+    file.cuts.reverse();
+    file.resultant_limits.reverse();
     file.interfaces.reverse();
     for i in &mut file.interfaces {
         i.between = i.between.take().map(|[a, b]| [b, a]);
@@ -157,7 +164,7 @@ fn energies_do_not_depend_on_axes_origin_or_order() {
 }
 
 /// Limit analysis of half the joint with a part of its load not multiplied: the load factors do not
-/// depend on mirror image, exchanged axes, shift or order, nor on doubling f_y and all loads.
+/// depend on mirror image, exchanged axes, shift or order, nor on doubling all strengths and loads.
 #[test]
 fn load_factors_do_not_depend_on_axes_origin_or_order() {
     let kind = AnalysisKind::Limit;
@@ -168,12 +175,14 @@ fn load_factors_do_not_depend_on_axes_origin_or_order() {
         kind,
     );
     assert_eq!(file.symmetry, 2);
+    assert!(file.cuts.len() == 2 && file.resultant_limits.len() == 6, "one shear plane a bolt");
     let base = bounds("as it is", &file, &mesh);
     let (other, mirrored) =
         (moved(&file, &mesh, &CYCLE, [1.25, 0.0, -3.5]), moved(&file, &mesh, &MIRROR, [0.0; 3]));
     let strong = {
         let (mut file, mesh) = other;
         file.materials.values_mut().for_each(|m| m.fy = m.fy.map(|f| 2.0 * f));
+        file.resultant_limits.iter_mut().for_each(|l| l.at_most *= 2.0);
         for e in &mut file.rigid {
             [e.force, e.dead_force, e.moment, e.dead_moment] =
                 [e.force, e.dead_force, e.moment, e.dead_moment].map(|v| v.map(|x| 2.0 * x));
@@ -182,7 +191,7 @@ fn load_factors_do_not_depend_on_axes_origin_or_order() {
     };
     for (name, (file, mesh)) in [
         ("mirrored and reordered", reordered(&mirrored.0, &mirrored.1)),
-        ("axes exchanged, shifted, twice f_y, twice the loads", strong),
+        ("axes exchanged, shifted, twice the strengths, twice the loads", strong),
     ] {
         same(name, kind, bounds(name, &file, &mesh), base);
     }

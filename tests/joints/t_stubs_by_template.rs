@@ -31,14 +31,14 @@ fn beam_model(t: f64) -> (f64, usize) {
 /// Modes 1, 2, 3 with growing flange thickness. Solids carry 1.00 to 1.35 times the beam model in
 /// modes 1 and 2, for two reasons: sideways contraction is prevented (up to 2/√3), and the head
 /// supports the flange nearer to the web than the axis of the bolt. In mode 3 they carry the same
-/// as the beam model, because the shanks yield in pure tension. The brackets must overlap that
-/// range and keep the order. Their measured widths are 55.5, 39.3 and 14.4 % on 1 013, 729 and 1
-/// 091 tets.
+/// as the beam model, because the sections of the bolts carry F_t,Rd. The brackets must overlap
+/// that range and keep the order. Their measured widths are 56.4, 32.7 and 4.9 % on 1 013, 739 and
+/// 1 103 tets (55.5, 39.3 and 14.4 % with shanks that yield under F_t,Rd).
 #[test]
 #[ignore = "heavy: a minute"]
 fn three_thicknesses_have_the_order_of_the_three_modes() {
     let [one, two, three] =
-        [(12.0, 1, 0.6), (25.0, 2, 0.43), (40.0, 3, 0.16)].map(|(t, mode, width)| {
+        [(12.0, 1, 0.6), (25.0, 2, 0.36), (40.0, 3, 0.055)].map(|(t, mode, width)| {
             let ([low, up], (beam, governs)) = (b15(t, 1.5), beam_model(t));
             assert_eq!(governs, mode);
             println!(
@@ -60,9 +60,10 @@ fn three_thicknesses_have_the_order_of_the_three_modes() {
 }
 
 /// F1: T-stub T1 of Bursi and Jaspart (J. Construct. Steel Research 43, 1997): IPE300, length 80, 4
-/// M12 8.8 at gauge 90 and pitch 40, flange f_y 431 (measured), bolts 640 MPa on the shank. Its
-/// limit load lies within 134 (mode 1 of the beam model, m = 29.45) and 160 kN. Measured bracket:
-/// [149.4, 192.8] kN on 2 804 tets, 29.0 % wide.
+/// M12 8.8 at gauge 90 and pitch 40, flange f_y 431 (measured), bolts 640 MPa on the shank and
+/// F_t,Rd in its section. Its limit load lies within 134 (mode 1 of the beam model, m = 29.45) and
+/// 160 kN. Measured bracket: [138.1, 154.3] kN on 2 795 tets, 11.8 % wide ([149.4, 192.8] without
+/// the limits of the bolts).
 #[test]
 #[ignore = "heavy: a minute"]
 fn t_stub_t1() {
@@ -77,5 +78,5 @@ fn t_stub_t1() {
     }
     let [low, up] = bounds("F1", &file, &mesh);
     assert!(low <= 160.0 && up >= 134.0, "[{low}, {up}]");
-    assert!(up / low - 1.0 < 0.33, "[{low}, {up}]");
+    assert!(up / low - 1.0 < 0.14, "[{low}, {up}]");
 }

@@ -4,19 +4,23 @@
 mod bolt_entries;
 
 use crate::assembly::Assembly;
-use crate::assembly::assembly::{Action, BoltPreload, FaceLoad, SymmetryPlane, WeldRule};
+use crate::assembly::assembly::{Action, BoltPreload, FaceLoad, Part, SymmetryPlane, WeldRule};
 use crate::meshing::naming::symmetry_face;
-use crate::strength::{Design, DesignStrengths};
+use crate::strength::DesignStrengths;
 use bracket_engine::mesh::TetMesh;
 use bracket_engine::model::AnalysisKind;
 use bracket_engine::model::file::{
     Axis, Bounds, Gap, InterfaceEntry, Law, LoadEntry, MaterialEntry, ModelFile, Motion, Nodes,
     PreloadEntry, RigidEntry, SupportEntry,
 };
+use std::collections::BTreeMap;
 
 const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
 const MOTIONS: [Motion; 6] =
     [Motion::Ux, Motion::Uy, Motion::Uz, Motion::Rx, Motion::Ry, Motion::Rz];
+
+/// End of the key of a steel whose parts with holes are weaker than it.
+const WITH_HOLES: &str = "_WITH_HOLES";
 
 /// Names of the load cases, in the order of their first load.
 pub fn cases(assembly: &Assembly) -> Vec<String> {
@@ -54,16 +58,7 @@ pub fn model_file(
         AnalysisKind::Limit => bolt_entries::limits(assembly, strengths, mesh, symmetry_used),
         _ => bolt_entries::Limits::default(),
     };
-    let materials = assembly
-        .materials
-        .iter()
-        .filter(|(name, _)| kept.iter().any(|p| p.material == **name))
-        .filter_map(|(name, m)| {
-            let limited = limited.shanks.get(name).map(|fy| Some(*fy));
-            let fy = limited.or_else(|| Some(strengths.materials.get(name)?.map(Design::mpa)))?;
-            Some((name.clone(), MaterialEntry { e: m.e, nu: m.nu, fy }))
-        })
-        .collect();
+    let (materials, bodies) = materials(assembly, &kept, strengths, &limited.shanks);
     let contacts =
         assembly.interfaces.iter().filter(|rule| rule.between.iter().all(has_body)).map(|rule| {
             InterfaceEntry {
@@ -120,7 +115,7 @@ pub fn model_file(
         bounds: Bounds::Both,
         coulomb_estimate: false,
         materials,
-        bodies: kept.iter().map(|p| (p.name.clone(), p.material.clone())).collect(),
+        bodies,
         interfaces,
         supports,
         rigid: rigid_entries(assembly, &here, symmetry_used),
@@ -132,6 +127,37 @@ pub fn model_file(
         adapt: None,
         symmetry: 1 << symmetry_used.len(),
     }
+}
+
+/// The materials of the meshed parts, and the material of each part. A part with holes may be
+/// weaker than its steel, and a bolt whose forces are limited has the yield strength of `shanks`.
+/// Parts with the same key share the least of their strengths.
+fn materials(
+    assembly: &Assembly,
+    kept: &[&Part],
+    strengths: &DesignStrengths,
+    shanks: &BTreeMap<String, f64>,
+) -> (BTreeMap<String, MaterialEntry>, BTreeMap<String, String>) {
+    let mut materials: BTreeMap<String, MaterialEntry> = BTreeMap::new();
+    let mut bodies = BTreeMap::new();
+    for part in kept {
+        let key = &part.material;
+        let (Some(m), Some(fy)) = (assembly.materials.get(key), strengths.materials.get(key))
+        else {
+            bodies.insert(part.name.clone(), key.clone());
+            continue;
+        };
+        let fy = shanks.get(&part.name).copied().or(fy.map(|s| s.mpa()));
+        let net = strengths.perforated.get(&part.name).map(|s| s.mpa());
+        let (key, fy) = match (net, fy) {
+            (Some(net), Some(fy)) if net < fy => (format!("{key}{WITH_HOLES}"), Some(net)),
+            _ => (key.clone(), fy),
+        };
+        let entry = materials.entry(key.clone()).or_insert(MaterialEntry { e: m.e, nu: m.nu, fy });
+        entry.fy = entry.fy.zip(fy).map(|(a, b)| a.min(b));
+        bodies.insert(part.name.clone(), key);
+    }
+    (materials, bodies)
 }
 
 /// The fillet welds of the meshed part. They have a finite strength unless the analysis is elastic;
@@ -229,7 +255,7 @@ mod tests {
     use super::*;
     use crate::assembly::assembly::Surface;
     use crate::geometry::fixtures::{lap_joint, paper_joint};
-    use crate::strength::{Nominal, WeldSteel};
+    use crate::strength::{Design, Nominal, WeldSteel};
     use bracket_engine::mesh::NamedFaces;
 
     /// A mesh with names only; `model_file` uses nothing else of it.
@@ -285,6 +311,23 @@ mod tests {
         };
         assert_eq!(of(&known), (Some(Some(213.6)), Some(207.8)));
         assert_eq!(of(&DesignStrengths::default()), (None, None));
+    }
+
+    /// A part with holes has a material of its own where it is weaker than its steel.
+    #[test]
+    fn a_part_with_holes_may_be_weaker_than_its_steel() {
+        let joint = lap_joint();
+        let mesh = names(&["UPPER", "LOWER", "BOLT"], &["BASE", "PULL"]);
+        let net = [("UPPER", 300.0), ("LOWER", 400.0)];
+        let known = DesignStrengths {
+            materials: [("steel".to_string(), Some(Design::new(355.0)))].into(),
+            perforated: net.map(|(part, f)| (part.to_string(), Design::new(f))).into(),
+            ..DesignStrengths::default()
+        };
+        let kind = AnalysisKind::Limit;
+        let file = model_file(&joint, &known, &mesh, &[], "mesh.msh", "PULL", kind);
+        let of = |part: &str| file.materials[&file.bodies[part]].fy;
+        assert_eq!(["UPPER", "LOWER", "BOLT"].map(of), [Some(300.0), Some(355.0), Some(355.0)]);
     }
 
     #[test]

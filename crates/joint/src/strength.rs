@@ -157,6 +157,8 @@ pub struct DesignStrengths {
     pub materials: BTreeMap<String, Option<Design>>,
     /// Shear strength on the throat by the name of the weld, for every weld of the assembly.
     pub welds: BTreeMap<String, Design>,
+    /// Yield strength of the parts with holes by their name, at most that of their material.
+    pub perforated: BTreeMap<String, Design>,
     /// Resistances of the bolts by the name of their part, for every bolt of the assembly.
     pub bolts: BTreeMap<String, BoltLimits>,
 }

@@ -3,13 +3,14 @@
 use crate::eurocode::bolts::shank_strength;
 use crate::eurocode::grip;
 use crate::eurocode::welds::shear_strength;
-use crate::eurocode::yielding::yield_strength;
+use crate::eurocode::yielding::{net_strength, yield_strength};
 use bracket_joint::assembly::assembly::Grip;
 use bracket_joint::assembly::{Assembly, Joint};
 use bracket_joint::spec::code::{Edition, PartialFactors};
 use bracket_joint::strength::{
     BoltLimits, BoltShank, Design, DesignStrengths, Nominal, NominalStrength, WeldSteel,
 };
+use std::collections::BTreeMap;
 
 /// A design code with its partial factors: the primitives that the analyses and the checks share.
 ///
@@ -51,6 +52,13 @@ impl DesignCode {
         }
     }
 
+    /// Design strength of a part with holes, of a steel with this design yield strength.
+    pub fn net_strength(&self, fyd: Design, fu: Nominal) -> Design {
+        match self {
+            Self::En1993_2005(f) => net_strength(fyd, fu, f.gamma_m2),
+        }
+    }
+
     /// Resistances of a bolt in its grip.
     pub fn bolt_limits(&self, grip: &Grip) -> BoltLimits {
         match self {
@@ -76,10 +84,20 @@ impl DesignCode {
 
     /// Design strengths of all materials and welds of an assembly, and resistances of its bolts.
     pub fn strengths(&self, assembly: &Assembly) -> DesignStrengths {
-        let materials = assembly.materials.iter();
+        let each = assembly.materials.iter();
+        let materials: BTreeMap<String, Option<Design>> =
+            each.map(|(n, m)| (n.clone(), self.strength(&m.strength))).collect();
+        let mut perforated = BTreeMap::new();
+        for ply in assembly.grips.iter().flat_map(|g| &g.plies) {
+            let part = assembly.parts.iter().find(|p| p.name == ply.part);
+            if let Some(fyd) = part.and_then(|p| *materials.get(&p.material)?) {
+                perforated.insert(ply.part.clone(), self.net_strength(fyd, ply.fu));
+            }
+        }
         let (welds, grips) = (assembly.welds.iter(), assembly.grips.iter());
         DesignStrengths {
-            materials: materials.map(|(n, m)| (n.clone(), self.strength(&m.strength))).collect(),
+            materials,
+            perforated,
             welds: welds.map(|w| (w.name.clone(), self.weld_strength(&w.steel))).collect(),
             bolts: grips.map(|g| (g.part.clone(), self.bolt_limits(g))).collect(),
         }

@@ -9,7 +9,7 @@ use bracket_joint::assembly::{Facts, Joint};
 use bracket_joint::catalog::{BoltSize, Catalog};
 use bracket_joint::spec::ConnectionSpec;
 use bracket_joint::spec::code::PartialFactors;
-use bracket_joint::strength::{BoltShank, Nominal, NominalStrength, WeldSteel};
+use bracket_joint::strength::{BoltShank, Design, Nominal, NominalStrength, WeldSteel};
 use std::f64::consts::PI;
 use std::path::Path;
 
@@ -46,6 +46,20 @@ fn plate_of_s235() {
     let fy = Nominal::new(catalog.steel("S235").expect("listed").fy(10.0).expect("10 mm"));
     assert_eq!(code(1.0, 1.25).yield_strength(fy).mpa(), 235.0);
     near(code(1.1, 1.25).yield_strength(fy).mpa(), 213.636_364);
+}
+
+/// 0.9 f_u/γ_M2: S355 with f_u = 490 has 352.8 MPa, less than 355; S275 with 430 has 309.6, more
+/// than 275.
+#[test]
+fn plates_with_holes() {
+    let net =
+        |fyd: f64, fu: f64| code(1.0, 1.25).net_strength(Design::new(fyd), Nominal::new(fu)).mpa();
+    near(net(355.0, 490.0), 352.8);
+    near(net(275.0, 430.0), 275.0);
+    // the parts of a joint: S235 keeps its yield strength, the beam has no holes
+    let strengths = design_strengths(&ok(PAPER));
+    let parts: Vec<&str> = strengths.perforated.keys().map(String::as_str).collect();
+    assert!(parts.contains(&"COLUMN") && parts.contains(&"PLATE_R") && !parts.contains(&"BEAM_R"));
 }
 
 /// M20 8.8, A_s = 245 mm²: F_t,Rd = 0.9 · 800 · 245/1.25 = 141 120 N over π 20²/4 = 314.159 mm²

@@ -21,6 +21,15 @@ pub fn yield_strength(fy: Nominal, gamma_m0: f64) -> Design {
     Design::new(plastic(1.0, fy.mpa(), gamma_m0))
 }
 
+/// Design strength of a part with holes in analyses that do not reduce its net section by a check:
+/// the lesser of `f_y/γ_M0` and `0.9 f_u/γ_M2`.
+///
+/// # Source
+/// EN 1993-1-1:2005 6.2.3(2), as strengths in place of forces.
+pub fn net_strength(fyd: Design, fu: Nominal, gamma_m2: f64) -> Design {
+    Design::new(fyd.mpa().min(plastic(0.9, fu.mpa(), gamma_m2)))
+}
+
 /// Shear that yields by von Mises where `tension` yields in tension: `tension/(√3 γ_M)`, in the
 /// unit of `tension`.
 ///

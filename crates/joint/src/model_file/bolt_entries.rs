@@ -15,7 +15,7 @@ const NAMES: [&str; 3] = ["x", "y", "z"];
 pub(super) struct Limits {
     pub cuts: Vec<CutEntry>,
     pub limits: Vec<ResultantLimitEntry>,
-    /// Yield strength of the shanks that are limited, by the key of their material \[MPa\].
+    /// Yield strength of the shanks that are limited, by the name of their part \[MPa\].
     pub shanks: BTreeMap<String, f64>,
 }
 
@@ -37,11 +37,7 @@ pub(super) fn limits(
         let halving = |s: &&SymmetryPlane| grip.sections[0].surface.halved_by(s);
         let halving: Vec<usize> = symmetry_used.iter().filter(halving).map(|s| s.axis).collect();
         Bolt { grip, bolt, share: 0.5_f64.powi(halving.len() as i32), halving }.add(&mut out);
-        let part = assembly.parts.iter().find(|p| p.name == grip.part);
-        if let Some(part) = part {
-            let shank = out.shanks.entry(part.material.clone()).or_insert(f64::INFINITY);
-            *shank = shank.min(bolt.shank.mpa());
-        }
+        out.shanks.insert(grip.part.clone(), bolt.shank.mpa());
     }
     out
 }
@@ -105,7 +101,8 @@ impl Bolt<'_> {
 
     /// Bearing of a ply by direction. The ply takes what passes through the section on the side of
     /// the nut less what passes on the side of the head; an outer ply also takes what its head or
-    /// nut transfers. Where it has one section only, a resistance above that in shear is not needed.
+    /// nut transfers. Where it has one section only, a resistance above that in shear is not
+    /// needed.
     fn in_bearing(&self, out: &mut Limits, i: usize, resistances: [[f64; 2]; 2]) {
         let sections = &self.grip.sections;
         let after = &sections[i..(i + 1).min(sections.len())];
@@ -200,8 +197,8 @@ mod tests {
     }
 
     /// The shear plane with punching, and bearing of either ply by direction; half of it where a
-    /// plane of symmetry halves the bolt, without the forces across the plane. Nothing outside limit
-    /// analysis, and nothing without resistances.
+    /// plane of symmetry halves the bolt, without the forces across the plane. Nothing outside
+    /// limit analysis, and nothing without resistances.
     #[test]
     fn the_sections_of_a_bolt_have_its_resistances() {
         let joint = gripped();
