@@ -154,7 +154,7 @@ fn materials(
             _ => (key.clone(), fy),
         };
         let entry = materials.entry(key.clone()).or_insert(MaterialEntry { e: m.e, nu: m.nu, fy });
-        entry.fy = entry.fy.zip(fy).map(|(a, b)| a.min(b));
+        entry.fy = [entry.fy, fy].into_iter().flatten().reduce(f64::min);
         bodies.insert(part.name.clone(), key);
     }
     (materials, bodies)

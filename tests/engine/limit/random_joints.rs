@@ -8,7 +8,7 @@ use bracket::certify::sampling::{sample_lower, sample_upper};
 use bracket::elements::hencky_kinematic::Flow;
 use bracket::model::AnalysisModel;
 use bracket::programs::{Kinematic, Static};
-use bracket::solve::{Patterns, SolveOptions, StopRules, clarabel, condensed};
+use bracket::solve::{Patterns, SolveOptions, SolveStatus, StopRules, clarabel, condensed};
 use std::collections::BTreeMap;
 
 /// A random stack. `None` if the model is refused because a part is loose or nothing can yield.
@@ -128,7 +128,8 @@ fn stacks(seeds: std::ops::Range<u64>) {
                     .solve(&options);
                 let theirs = clarabel::solve(program, &options);
                 let both = [ours.status, theirs.status];
-                if !both.iter().all(|s| s.is_solution()) {
+                // an almost optimal factor of either solver is no measure of the other
+                if both != [SolveStatus::Optimal; 2] {
                     println!("seed {seed} {name}: {both:?}");
                     continue;
                 }
