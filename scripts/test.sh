@@ -1,7 +1,7 @@
 #!/bin/sh
 # Everything that must pass, from nothing: set up, format, lints, tests (unit, literature, doc), licences, examples.
 # --heavy adds the tests that take long (fine meshes, convergence studies, a sweep on a real Slurm, the feature `parquet`).
-# One minute of the campaign of random inputs (tests/campaign) are among them, five with --heavy; --campaign runs nothing but that.
+# One minute of the campaign of random inputs (tests/campaign) is among them, five with --heavy; --campaign runs nothing but that.
 set -eu
 cd -- "$(dirname -- "$0")/.."
 heavy=no

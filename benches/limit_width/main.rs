@@ -407,6 +407,7 @@ fn cantilever(o: &Options) -> AnalysisModel {
         clearances: vec![],
         welds: vec![],
         preloads: vec![],
+        sections: vec![],
         grips: vec![],
     };
     loaded(meshed(&assembly, o).mesh)

@@ -97,7 +97,7 @@ fn mechanism(
         Some([bodies, ..]) if bodies < LITTLE => {
             // the remaining plastic flow is rounding error and is not drawn
             densities.fill(0.0);
-            "welds, slip and limited forces of bolts dissipate all, the parts do not flow".into()
+            "welds, slip and limited forces dissipate all, the parts do not flow".into()
         }
         Some([bodies, welds, supports, ties, limits]) => {
             let others = [
@@ -166,8 +166,8 @@ fn limiting(
     Some(Ok((pictures, caption)))
 }
 
-/// Shares of bodies, welds, slip on supports, slip along ties and resultant limits in the dissipation
-/// of a mechanism; `None` if nothing dissipates.
+/// Shares of bodies, welds, slip on supports, slip along ties and resultant limits in the
+/// dissipation of a mechanism; `None` if nothing dissipates.
 fn shares_of(pass: &LimitPass) -> Option<[f64; 5]> {
     let c = pass.upper.as_ref()?.certificate();
     let each = [&c.dissipation, &c.welds, &c.supports, &c.ties, &c.resultants];

@@ -12,7 +12,7 @@ use bracket_codes::design_code::design_strengths;
 use bracket_codes::end_plate::{parts_list, welds_list};
 use bracket_codes::{HandChecks, joint_checks};
 use bracket_joint::assembly::Assembly;
-use bracket_joint::assembly::assembly::{FaceSupport, Surface};
+use bracket_joint::assembly::assembly::{FaceSupport, Part, Surface};
 use bracket_joint::spec::connection::ConnectionSpec;
 use bracket_joint::spec::loads::ActionPoint;
 use bracket_joint::strength::{Design, DesignStrengths};
@@ -131,10 +131,26 @@ fn resolved_values(input: &SpecFile) -> Vec<ResolvedValue> {
         unit: "MPa".into(),
         origin,
     };
-    let DesignStrengths { materials, bolts, .. } = design_strengths(&input.joint);
-    let parts = input.joint.assembly.parts.iter();
-    let shanks = parts.filter_map(|p| Some((&p.material, bolts.get(&p.name)?.shank)));
-    let shanks: BTreeMap<&String, Design> = shanks.collect();
+    let DesignStrengths { materials, bolts, perforated, .. } = design_strengths(&input.joint);
+    let parts = &input.joint.assembly.parts;
+    // parts with the same key share the least of their strengths
+    let least = |of: &dyn Fn(&Part) -> Option<Design>| -> BTreeMap<&String, Design> {
+        let mut out: BTreeMap<&String, Design> = BTreeMap::new();
+        for (key, f) in parts.iter().filter_map(|p| Some((&p.material, of(p)?))) {
+            let kept = out.entry(key).or_insert(f);
+            if f.mpa() < kept.mpa() {
+                *kept = f;
+            }
+        }
+        out
+    };
+    let cut = |p: &Part| input.joint.assembly.sections.iter().any(|s| s.part == p.name);
+    let shanks = least(&|p| bolts.get(&p.name).filter(|_| cut(p)).map(|b| b.shank));
+    let net = least(&|p| {
+        let net = *perforated.get(&p.name)?;
+        let fyd = (*materials.get(&p.material)?)?;
+        (net.mpa() < fyd.mpa()).then_some(net)
+    });
     let strength = |(name, fy): (&String, &Option<Design>)| {
         let path = format!("materials.{name}.fy");
         let origin = match shanks.contains_key(name) {
@@ -147,6 +163,10 @@ fn resolved_values(input: &SpecFile) -> Vec<ResolvedValue> {
     let limited = shanks.iter().map(|(name, fy)| {
         let origin = "yield strength in limit analysis, beside the limits of the bolt's forces";
         value(format!("materials.{name}.fy (limit)"), *fy, origin.into())
+    });
+    let weaker = net.iter().map(|(name, fy)| {
+        let origin = "yield strength of parts with holes in the analyses";
+        value(format!("materials.{name}.fy (with holes)"), *fy, origin.into())
     });
     input
         .joint
@@ -169,6 +189,7 @@ fn resolved_values(input: &SpecFile) -> Vec<ResolvedValue> {
         })
         .chain(strengths)
         .chain(limited)
+        .chain(weaker)
         .collect()
 }
 

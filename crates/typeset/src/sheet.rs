@@ -68,11 +68,12 @@ impl World for Files {
 
 /// The bytes of the PDF. The error says what typst could not set.
 pub fn pdf(sheet: Sheet) -> Result<Vec<u8>, String> {
-    let data = Bytes::new(sheet.data.to_string().into_bytes());
-    let mut files = HashMap::from([(id("data.json")?, data)]);
+    let mut files = HashMap::new();
     for (name, bytes) in sheet.pictures {
         files.insert(id(&name)?, Bytes::new(bytes));
     }
+    // no picture takes the place of the data
+    files.insert(id("data.json")?, Bytes::new(sheet.data.to_string().into_bytes()));
     let main = Source::new(id("main.typ")?, sheet.layout);
     let world = Files { library: LazyHash::new(Library::default()), main, files };
     let first = |faults: &[SourceDiagnostic]| {

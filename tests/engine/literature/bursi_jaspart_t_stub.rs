@@ -153,6 +153,7 @@ fn bursi_jaspart(size: f64) -> Assembly {
         clearances: vec![],
         welds: vec![],
         preloads: vec![],
+        sections: vec![],
         grips: vec![],
     }
 }

@@ -223,7 +223,6 @@ fn grip_of_m20() {
         hole,
         extent,
         plies: vec![ply(12.0, Some(room)), ply(20.0, None)],
-        sections: Vec::new(),
     };
     let of = |grip: &Grip| code(1.0, 1.25).bolt_limits(grip);
     let found = of(&grip("8.8", 22.0, 100.0));

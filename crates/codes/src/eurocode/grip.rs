@@ -5,6 +5,7 @@ use super::bolts::{beta_lf, shear_resistance, tension_resistance};
 use super::holes::{Clearance, shear_factor};
 use super::interaction::TENSION_BESIDE_SHEAR;
 use super::punching::{mean_diameter, punching_resistance};
+use super::yielding::plastic;
 use bracket_joint::assembly::assembly::{Grip, Ply, Room};
 use bracket_joint::spec::code::PartialFactors;
 use bracket_joint::strength::{BoltLimits, Design};
@@ -34,7 +35,8 @@ pub fn limits(grip: &Grip, factors: &PartialFactors) -> BoltLimits {
     };
     // a shank weaker than this would not carry F_v,Rd; it yields in bending at f_yb
     let area = std::f64::consts::PI * size.d * size.d / 4.0;
-    let shank = (3f64.sqrt() * shear).min(grade.fyb * area).max(tension) / area;
+    let yielding = plastic(area, grade.fyb, factors.gamma_m0);
+    let shank = (3f64.sqrt() * shear).min(yielding).max(tension) / area;
     BoltLimits {
         shank: Design::new(shank),
         tension,

@@ -256,13 +256,13 @@ pub struct Grip {
     pub extent: f64,
     /// The plies, from head to nut.
     pub plies: Vec<Ply>,
-    /// The sections of the shank between the plies: one less than plies.
-    pub sections: Vec<Section>,
 }
 
-/// A section of a bolt's shank.
-#[derive(Clone, Debug, PartialEq)]
+/// A section of a bolt's shank between two plies.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Section {
+    /// The bolt's part.
+    pub part: String,
     /// Name, a physical surface inside the shank.
     pub name: String,
     /// A plane across the shank, wider than the shank.
@@ -369,7 +369,10 @@ pub struct Assembly {
     /// Preloaded bolts.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub preloads: Vec<BoltPreload>,
-    /// The bolts with their plies.
+    /// The sections of the shanks, of each bolt from head to nut: one less than its plies.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub sections: Vec<Section>,
+    /// The bolts with their plies, for their resistances.
     #[serde(skip)]
     pub grips: Vec<Grip>,
 }

@@ -298,6 +298,7 @@ fn assembly(
         clearances,
         welds,
         preloads,
+        sections: context.sections(&bolts),
         grips,
     };
     let moved = ledges::close(&mut a);

@@ -40,7 +40,7 @@ pub fn close(assembly: &mut Assembly) -> Option<f64> {
         assembly.interfaces.iter_mut().filter_map(|i| Some(&mut i.surface.as_mut()?.1));
     let welds = assembly.welds.iter_mut().map(|w| &mut w.surface);
     let faces = assembly.faces.iter_mut().map(|f| &mut f.surface);
-    let sections = assembly.grips.iter_mut().flat_map(|g| &mut g.sections).map(|s| &mut s.surface);
+    let sections = assembly.sections.iter_mut().map(|s| &mut s.surface);
     for surface in interfaces.chain(welds).chain(faces).chain(sections) {
         if let Surface::Plane { axis, at, min, max } = surface {
             plane((*axis, at), [min, max], &mut onto);

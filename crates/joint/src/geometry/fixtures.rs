@@ -304,6 +304,7 @@ pub(crate) fn paper_joint() -> Assembly {
         clearances: vec![],
         welds: vec![],
         preloads: vec![],
+        sections: vec![],
         grips: vec![],
     }
 }
@@ -374,6 +375,7 @@ pub(crate) fn lap_joint() -> Assembly {
         clearances: vec![],
         welds: vec![],
         preloads: vec![],
+        sections: vec![],
         grips: vec![],
     }
 }

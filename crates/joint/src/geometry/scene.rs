@@ -64,14 +64,13 @@ pub struct ShankCut<'a> {
     pub surface: &'a Surface,
 }
 
-/// The cuts of all shanks: for the preload, and at the sections of the grips.
+/// The cuts of all shanks: for the preload, and at the sections between plies.
 pub fn shank_cuts(joint: &Assembly) -> impl Iterator<Item = ShankCut<'_>> {
     let preloads = joint.preloads.iter();
     let preloads = preloads.map(|p| ShankCut { part: &p.part, name: &p.cut, surface: &p.surface });
-    let grips = joint.grips.iter().flat_map(|g| {
-        g.sections.iter().map(|s| ShankCut { part: &g.part, name: &s.name, surface: &s.surface })
-    });
-    preloads.chain(grips)
+    let sections = joint.sections.iter();
+    let sections = sections.map(|s| ShankCut { part: &s.part, name: &s.name, surface: &s.surface });
+    preloads.chain(sections)
 }
 
 impl<'a> Scene<'a> {
@@ -100,8 +99,8 @@ impl<'a> Scene<'a> {
         Scene { assembly, symmetry, bodies }
     }
 
-    /// Planes at which the shank of a part is cut: for its preload, and at the sections of its
-    /// grip.
+    /// Planes at which the shank of a part is cut: for its preload, and at its sections between
+    /// plies.
     pub fn shank_cuts<'s>(&'s self, part: &'s Part) -> impl Iterator<Item = MidPlane> + 's {
         let mine = shank_cuts(self.assembly).filter(|cut| *cut.part == part.name);
         mine.filter_map(|cut| match *cut.surface {

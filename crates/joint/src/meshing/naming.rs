@@ -58,23 +58,28 @@ pub fn name_imprints(mesh: &mut TetMesh, scene: &Scene) {
         let e = r.tet as usize;
         (mesh.tet_body[e], mesh.tet_region.get(e))
     };
-    let bounding: Vec<[u32; 3]> = table
+    let bodies = |rows: &[FaceRow]| -> Vec<u32> {
+        rows.iter().map(|r| mesh.tet_body[r.tet as usize]).collect()
+    };
+    let bounding: Vec<([u32; 3], Vec<u32>)> = table
         .faces()
         .filter(|rows| rows.len() == 1 || rows.windows(2).any(|w| given(&w[0]) != given(&w[1])))
-        .map(|rows| nodes_of(mesh, &rows[0]))
+        .map(|rows| (nodes_of(mesh, &rows[0]), bodies(rows)))
         .collect();
     let joint = scene.assembly;
     let faces = joint.faces.iter().map(|f| (&f.name, &f.surface));
     let welds = joint.welds.iter().map(|w| (&w.name, &w.surface));
     let contacts = joint.interfaces.iter().filter_map(|i| i.surface.as_ref().map(|(n, s)| (n, s)));
-    let cuts = shank_cuts(joint).map(|c| (c.name, c.surface));
-    let named = faces.chain(welds).chain(contacts).chain(cuts).map(|(name, surface)| NamedFaces {
-        name: name.clone(),
-        triangles: bounding
-            .iter()
-            .filter(|t| on_surface(surface, &corners(mesh, **t)))
-            .copied()
-            .collect(),
+    let outer = faces.chain(welds).chain(contacts).map(|(name, surface)| (name, surface, None));
+    // the plane of a section may be that of a contact beside the shank
+    let cuts = shank_cuts(joint).map(|c| (c.name, c.surface, Some(c.part)));
+    let named = outer.chain(cuts).map(|(name, surface, part)| {
+        let inside = |bodies: &[u32]| {
+            part.is_none_or(|part| bodies.iter().all(|b| mesh.bodies[*b as usize] == *part))
+        };
+        let here = bounding.iter().filter(|(_, bodies)| inside(bodies)).map(|(t, _)| *t);
+        let triangles = here.filter(|t| on_surface(surface, &corners(mesh, *t))).collect();
+        NamedFaces { name: name.clone(), triangles }
     });
     mesh.faces = named.collect();
 }

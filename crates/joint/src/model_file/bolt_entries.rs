@@ -19,8 +19,8 @@ pub(super) struct Limits {
     pub shanks: BTreeMap<String, f64>,
 }
 
-/// The limits of all bolts whose sections the mesh has. A symmetry plane that halves a bolt halves
-/// its resistances, and there is no force across the plane in the whole bolt.
+/// The limits of all meshed bolts with two plies or more. A symmetry plane that halves a bolt
+/// halves its resistances, and there is no force across the plane in the whole bolt.
 pub(super) fn limits(
     assembly: &Assembly,
     strengths: &DesignStrengths,
@@ -29,14 +29,15 @@ pub(super) fn limits(
 ) -> Limits {
     let mut out = Limits::default();
     let bolts = assembly.grips.iter().filter(|g| mesh.bodies.contains(&g.part));
-    let cut = |g: &&Grip| {
-        !g.sections.is_empty() && g.sections.iter().all(|s| mesh.faces_named(&s.name).is_some())
-    };
-    for grip in bolts.filter(cut) {
+    for grip in bolts {
         let Some(bolt) = strengths.bolts.get(&grip.part) else { continue };
-        let halving = |s: &&SymmetryPlane| grip.sections[0].surface.halved_by(s);
+        let sections = assembly.sections.iter().filter(|s| s.part == grip.part);
+        let sections: Vec<&Section> = sections.collect();
+        let Some(first) = sections.first() else { continue };
+        let halving = |s: &&SymmetryPlane| first.surface.halved_by(s);
         let halving: Vec<usize> = symmetry_used.iter().filter(halving).map(|s| s.axis).collect();
-        Bolt { grip, bolt, share: 0.5_f64.powi(halving.len() as i32), halving }.add(&mut out);
+        let share = 0.5_f64.powi(halving.len() as i32);
+        Bolt { grip, sections, bolt, share, halving }.add(&mut out);
         out.shanks.insert(grip.part.clone(), bolt.shank.mpa());
     }
     out
@@ -45,6 +46,7 @@ pub(super) fn limits(
 /// A bolt, the share of it that is meshed and the axes across which it is halved.
 struct Bolt<'a> {
     grip: &'a Grip,
+    sections: Vec<&'a Section>,
     bolt: &'a BoltLimits,
     share: f64,
     halving: Vec<usize>,
@@ -52,8 +54,8 @@ struct Bolt<'a> {
 
 impl Bolt<'_> {
     fn add(&self, out: &mut Limits) {
-        let Grip { part, axis, sections, .. } = self.grip;
-        for (i, section) in sections.iter().enumerate() {
+        let Grip { part, axis, .. } = self.grip;
+        for (i, section) in self.sections.iter().enumerate() {
             out.cuts.push(CutEntry { body: part.clone(), cut: section.name.clone(), axis: *axis });
             self.in_section(out, i);
         }
@@ -70,7 +72,7 @@ impl Bolt<'_> {
         across(along).into_iter().enumerate().filter(|(_, k)| !self.halving.contains(k))
     }
 
-    fn limit(&self, out: &mut Limits, name: String, cuts: [&[Section]; 2], set: Set) {
+    fn limit(&self, out: &mut Limits, name: String, cuts: [&[&Section]; 2], set: Set) {
         let [cuts, minus] = cuts.map(|c| c.iter().map(|s| s.name.clone()).collect());
         let Set { along, across, at_most } = set;
         let at_most = self.share * at_most;
@@ -80,9 +82,9 @@ impl Bolt<'_> {
     /// Tension, shear, and both together in a section between two plies. All of the tension passes
     /// on through the head or the nut to the outer ply, which must not be punched.
     fn in_section(&self, out: &mut Limits, i: usize) {
-        let Self { grip, bolt, .. } = self;
-        let here = [std::slice::from_ref(&grip.sections[i]), &[]];
-        let outer = [(i == 0, bolt.punching[0]), (i + 1 == grip.sections.len(), bolt.punching[1])];
+        let Self { grip, sections, bolt, .. } = self;
+        let here = [&sections[i..=i], &[]];
+        let outer = [(i == 0, bolt.punching[0]), (i + 1 == sections.len(), bolt.punching[1])];
         let punching = outer.iter().filter(|o| o.0).fold(f64::INFINITY, |least, o| least.min(o.1));
         let pull = if punching < bolt.tension { "punching" } else { "tension" };
         let name = |what: &str| format!("{} in shear plane {}: {what}", grip.part, i + 1);
@@ -104,7 +106,7 @@ impl Bolt<'_> {
     /// nut transfers. Where it has one section only, a resistance above that in shear is not
     /// needed.
     fn in_bearing(&self, out: &mut Limits, i: usize, resistances: [[f64; 2]; 2]) {
-        let sections = &self.grip.sections;
+        let sections = &self.sections;
         let after = &sections[i..(i + 1).min(sections.len())];
         let before = if i > 0 { &sections[i - 1..i] } else { &[] };
         let outer = after.is_empty() || before.is_empty();
@@ -175,7 +177,11 @@ mod tests {
             hole: 18.0,
             extent: 0.0,
             plies: vec![ply("UPPER"), ply("LOWER")],
-            sections: vec![Section { name: "SECTION_BOLT_1".into(), surface: plane(0.0) }],
+        }];
+        joint.sections = vec![Section {
+            part: "BOLT".into(),
+            name: "SECTION_BOLT_1".into(),
+            surface: plane(0.0),
         }];
         joint
     }

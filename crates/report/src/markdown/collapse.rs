@@ -180,6 +180,10 @@ fn resultants(doc: &mut Doc, case: &CaseResult) {
         "Limited forces of the meshed part in the stress of the lower bound ({}):",
         &case.name
     ));
+    doc.paragraph(
+        "A force is that of side B of a cut on side A. Of a bolt, side B is that of the nut; on \
+         the part at the nut the bolt presses the other way round.",
+    );
     if rows.len() < case.resultants.len() {
         doc.paragraph(say!(
             "The {} most used of {} limits; `result.json` has all of them.",

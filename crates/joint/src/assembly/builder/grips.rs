@@ -36,8 +36,7 @@ impl Context<'_> {
             };
             let mut plies = Vec::new();
             let mut from = 0.0;
-            let mut sections = Vec::new();
-            for (i, (part, thickness)) in b.through.iter().enumerate() {
+            for (part, thickness) in &b.through {
                 let Some(of) = bolted.get(part.as_str()) else {
                     return entry_fault(&b.name, format!("there is no part `{part}`"));
                 };
@@ -49,9 +48,6 @@ impl Context<'_> {
                     fu: of.steel.fu,
                     room: room(middle, b.hole.axis, &of.blocks, others),
                 });
-                if i > 0 {
-                    sections.push(section(b, i, from));
-                }
                 from += thickness;
             }
             let gap = b.shank_gap()?;
@@ -64,10 +60,25 @@ impl Context<'_> {
                 hole: if gap > 0.0 { size.d + 2.0 * gap } else { size.hole_normal },
                 extent: extent.copied().fold(0.0, f64::max),
                 plies,
-                sections,
             });
         }
         Ok(out)
+    }
+
+    /// The sections of the shanks between the plies.
+    pub(in crate::assembly) fn sections(&self, bolts: &[Bolt<'_>]) -> Vec<Section> {
+        let mut out = Vec::new();
+        for b in bolts {
+            let mut distance = 0.0;
+            for (i, (_, thickness)) in b.through.iter().enumerate() {
+                if i > 0 {
+                    let name = format!("SECTION_{}_{i}", b.name);
+                    out.push(Section { part: b.name.clone(), name, surface: b.plane(distance) });
+                }
+                distance += thickness;
+            }
+        }
+        out
     }
 
     /// The parts with holes.
@@ -99,22 +110,17 @@ impl Context<'_> {
     }
 }
 
-/// The section of a shank at a distance from the head's bearing face \[mm\].
-fn section(b: &Bolt<'_>, number: usize, distance: f64) -> Section {
-    Section { name: format!("SECTION_{}_{number}", b.name), surface: b.plane(distance) }
-}
-
 /// The room around a hole with its axis through `centre`, a point inside the ply, among the blocks
 /// and holes of a part.
 fn room(centre: [f64; 3], axis: usize, blocks: &[[[f64; 2]; 3]], holes: &[Hole]) -> Option<Room> {
-    let inside = |x: &&[[f64; 2]; 3]| (0..3).all(|k| x[k][0] < centre[k] && centre[k] < x[k][1]);
+    let inside = |x: &&[[f64; 2]; 3]| (0..3).all(|k| x[k][0] <= centre[k] && centre[k] <= x[k][1]);
     let block = blocks.iter().find(inside)?;
     let axes = across(axis);
     let edge = axes.map(|k| [centre[k] - block[k][0], block[k][1] - centre[k]]);
     let mut pitch = [[f64::INFINITY; 2]; 2];
     for other in holes.iter().filter(|o| o.axis == axis) {
         let from = axes.map(|k| other.base[k] - centre[k]);
-        // a hole of another plate of the part is no neighbour
+        // a hole beyond the edge is in another plate of the part
         if (0..2).any(|i| from[i] < -edge[i][0] || from[i] > edge[i][1]) {
             continue;
         }
