@@ -193,12 +193,12 @@ fn preload_entries(
 ) -> Vec<PreloadEntry> {
     let kept = assembly.preloads.iter().filter(|p| mesh.bodies.contains(&p.part));
     let entry = |p: &BoltPreload| {
-        let halvings = symmetry_used.iter().filter(|plane| p.surface.halved_by(plane)).count();
+        let (_, share) = p.surface.halved_by(symmetry_used);
         PreloadEntry {
             body: p.part.clone(),
             cut: p.cut.clone(),
             axis: p.axis,
-            force: p.force * 0.5_f64.powi(halvings as i32),
+            force: p.force * share,
         }
     };
     kept.map(entry).collect()
@@ -215,9 +215,8 @@ fn rigid_entries(
     for load in loads {
         let Action::Resultant { at, force, moment } = load.action else { continue };
         let surface = assembly.faces.iter().find(|f| f.name == load.face).map(|f| f.surface);
-        let cut = |plane: &&SymmetryPlane| surface.is_some_and(|s| s.halved_by(plane));
-        let cuts: Vec<usize> = symmetry_used.iter().filter(cut).map(|p| p.axis).collect();
-        let share = 0.5_f64.powi(cuts.len() as i32);
+        let halved = surface.map(|s| s.halved_by(symmetry_used));
+        let (cuts, share) = halved.unwrap_or((Vec::new(), 1.0));
         let (force, moment) = (force.map(|f| share * f), moment.map(|m| share * m));
         let known = out.iter().position(|r| r.face == load.face);
         let index = known.unwrap_or_else(|| {

@@ -128,8 +128,8 @@ fn stacks(seeds: std::ops::Range<u64>) {
                     .solve(&options);
                 let theirs = clarabel::solve(program, &options);
                 let both = [ours.status, theirs.status];
-                // an almost optimal factor of either solver is no measure of the other
-                if both != [SolveStatus::Optimal; 2] {
+                // an almost optimal factor of Clarabel measures nothing
+                if !ours.status.is_solution() || theirs.status != SolveStatus::Optimal {
                     println!("seed {seed} {name}: {both:?}");
                     continue;
                 }

@@ -200,12 +200,16 @@ pub enum Surface {
 }
 
 impl Surface {
-    /// True when a symmetry plane passes through a plane piece of surface.
-    pub fn halved_by(&self, plane: &SymmetryPlane) -> bool {
-        match self {
-            Surface::Plane { min, max, .. } => min[plane.axis] < 0.0 && max[plane.axis] > 0.0,
+    /// Axes of the symmetry planes that pass through a plane piece of surface, and the share of it
+    /// on the kept side of all of them.
+    pub fn halved_by(&self, planes: &[SymmetryPlane]) -> (Vec<usize>, f64) {
+        let through = |axis: &usize| match self {
+            Surface::Plane { min, max, .. } => min[*axis] < 0.0 && max[*axis] > 0.0,
             Surface::Mantle { .. } => false,
-        }
+        };
+        let axes: Vec<usize> = planes.iter().map(|p| p.axis).filter(through).collect();
+        let share = 0.5_f64.powi(axes.len() as i32);
+        (axes, share)
     }
 }
 

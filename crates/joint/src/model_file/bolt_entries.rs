@@ -34,9 +34,7 @@ pub(super) fn limits(
         let sections = assembly.sections.iter().filter(|s| s.part == grip.part);
         let sections: Vec<&Section> = sections.collect();
         let Some(first) = sections.first() else { continue };
-        let halving = |s: &&SymmetryPlane| first.surface.halved_by(s);
-        let halving: Vec<usize> = symmetry_used.iter().filter(halving).map(|s| s.axis).collect();
-        let share = 0.5_f64.powi(halving.len() as i32);
+        let (halving, share) = first.surface.halved_by(symmetry_used);
         Bolt { grip, sections, bolt, share, halving }.add(&mut out);
         out.shanks.insert(grip.part.clone(), bolt.shank.mpa());
     }
