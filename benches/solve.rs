@@ -12,7 +12,7 @@ use bracket::meshing::joint::{MeshOptions, mesh_joint};
 use bracket::model::AnalysisKind;
 use bracket::model::AnalysisModel;
 use bracket::model::resolve::resolve;
-use bracket::model_file;
+use bracket::model_file::{self, Asked};
 use bracket::programs::conic::ConicProgram;
 use bracket::programs::{Kinematic, Static};
 use bracket::solve;
@@ -95,8 +95,7 @@ fn model_of_spec(path: &Path, factor: f64) -> AnalysisModel {
         &meshed.mesh,
         &meshed.symmetry_used,
         "mesh.msh",
-        case,
-        kind,
+        &Asked::new(case, kind),
     );
     let place = |path: &str| input.spec.index.place(path);
     resolve(&file, meshed.mesh, &place).expect("the model is sound")

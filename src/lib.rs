@@ -24,7 +24,7 @@ pub use driver::spec_run::{Ran, run};
 pub use bracket_base::{diag, diag_render, math, text_file, units, words, yaml};
 pub use bracket_codes as checks;
 pub use bracket_engine::{
-    analysis, certify, elements, mesh, model, programs, recover, refine, solve,
+    analysis, certify, elements, estimate, mesh, model, programs, recover, refine, solve,
 };
 pub use bracket_joint::{assembly, catalog, geometry, meshing, model_file, spec, strength};
 pub use bracket_report as report;

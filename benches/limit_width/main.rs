@@ -47,7 +47,7 @@ use bracket::model::AnalysisKind;
 use bracket::model::AnalysisModel;
 use bracket::model::file::Bounds;
 use bracket::model::resolve::resolve;
-use bracket::model_file;
+use bracket::model_file::{self, Asked};
 use bracket::programs::Static;
 use bracket::solve::{SolveOptions, StopRules};
 use bracket::strength::{Nominal, NominalStrength};
@@ -335,8 +335,7 @@ fn joint(path: &Path, o: &Options) -> AnalysisModel {
         &meshed.mesh,
         &meshed.symmetry_used,
         "mesh.msh",
-        case,
-        AnalysisKind::Limit,
+        &Asked::new(case, AnalysisKind::Limit),
     );
     resolve(&file, meshed.mesh, &|path| input.spec.index.place(path)).expect("the model is sound")
 }
@@ -397,6 +396,7 @@ fn cantilever(o: &Options) -> AnalysisModel {
                 e: 210_000.0,
                 nu: 0.3,
                 strength: NominalStrength::Steel(Nominal::new(235.0)),
+                fu: None,
             },
         )]),
         interfaces: vec![],

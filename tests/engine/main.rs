@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used)]
 
 mod adapt;
+mod buckling;
 #[path = "../common/mod.rs"]
 mod common;
 mod limit;

@@ -13,6 +13,7 @@
 pub mod analysis;
 pub mod certify;
 pub mod elements;
+pub mod estimate;
 pub mod mesh;
 pub mod model;
 pub mod programs;

@@ -136,7 +136,7 @@ fn bursi_jaspart(size: f64) -> Assembly {
     faces.push(FaceRule { name: "TOP".into(), part: "T".into(), surface: top, imprint: false });
     let steel = |fy| {
         let strength = NominalStrength::Steel(Nominal::new(fy));
-        PartMaterial { e: 210_000.0, nu: 0.3, strength }
+        PartMaterial { e: 210_000.0, nu: 0.3, strength, fu: None }
     };
     Assembly {
         name: "t1".into(),

@@ -100,6 +100,13 @@ pub fn null_space(gram: &Mat<f64>, tolerance: f64) -> Vec<Vec<f64>> {
         .collect()
 }
 
+/// Eigenvalues of a symmetric matrix in increasing order, and its orthonormal eigenvectors, one per
+/// column. Only the lower triangle is read.
+pub fn symmetric_eigen(a: &Mat<f64>) -> Result<(Vec<f64>, Mat<f64>), NoConvergence> {
+    let eigen = a.self_adjoint_eigen(Side::Lower).map_err(|_| NoConvergence)?;
+    Ok((eigen.S().column_vector().iter().copied().collect(), eigen.U().to_owned()))
+}
+
 /// Minimum-norm solution of a small symmetric positive semidefinite system.
 pub fn pseudo_solve(a: &Mat<f64>, b: &Mat<f64>) -> Mat<f64> {
     // scale to unit diagonal, then drop directions below rounding error

@@ -7,6 +7,7 @@ pub mod columns;
 #[cfg(test)]
 pub(crate) mod fixtures;
 pub mod flow_maps;
+pub mod geometric_stiffness;
 pub mod geometry;
 pub mod hencky_kinematic;
 pub mod hencky_static;

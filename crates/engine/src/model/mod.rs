@@ -11,6 +11,7 @@ pub mod loads;
 pub mod opening;
 pub mod resolve;
 pub mod resultant_limit;
+pub mod welded;
 
 pub use analysis::AnalysisModel;
 pub use analysis_kind::AnalysisKind;

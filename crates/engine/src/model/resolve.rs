@@ -11,6 +11,7 @@ mod limits;
 mod materials;
 mod motions;
 mod names;
+mod parity;
 mod parts;
 mod preload;
 mod resultants;
@@ -29,6 +30,7 @@ use bracket_base::text_file;
 use bracket_base::yaml;
 use faults::Faults;
 pub use motions::LooseParts;
+pub use parity::{MirrorPlane, parities};
 use std::path::Path;
 use std::sync::Arc;
 

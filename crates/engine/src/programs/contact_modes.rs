@@ -1,5 +1,6 @@
 //! Rigid motions that no support resists, only contact: there the stiffness is zero.
 
+use crate::elements::space::Tet10Space;
 use crate::model::analysis::AnalysisModel;
 use crate::programs::dofs::DofMap;
 use bracket_base::math::dense::{Mat, null_space};
@@ -12,6 +13,19 @@ pub struct ContactMode {
     pub unknowns: Vec<f64>,
     /// The motion `[U, θ]` about the origin of each part.
     pub parts: Vec<[f64; 6]>,
+}
+
+/// All such motions of a program whose points are the nodes of a displacement space.
+pub fn contact_modes_of_nodes(
+    model: &AnalysisModel,
+    space: &Tet10Space,
+    map: &DofMap,
+) -> Vec<ContactMode> {
+    let part = model.node_parts();
+    let nodes = space.nodes.iter().enumerate();
+    let points: Vec<(usize, V3)> =
+        nodes.map(|(i, x)| (part[space.a_vertex(i)] as usize, *x)).collect();
+    contact_modes(model, map, &points)
 }
 
 /// All such motions of a program whose full unknowns `3 i + d` are displacements of `points[i]`,

@@ -19,7 +19,7 @@ use crate::programs::constraints::{FacePoints, hold, working_live_loads};
 use crate::programs::contact::kinematic_contact::ControlPoint;
 use crate::programs::contact::kinematic_contact::control_points;
 use crate::programs::contact::kinematic_contact::points_of_faces;
-use crate::programs::contact_modes::{ContactMode, contact_modes};
+use crate::programs::contact_modes::{ContactMode, contact_modes_of_nodes};
 use crate::programs::dofs::DofMap;
 use crate::programs::loads::{BodyForceNodes, kinematic_forces};
 use crate::programs::rigid_motions::{self, RigidMotions, RigidPieces};
@@ -101,17 +101,17 @@ enum Kind<'f> {
 }
 
 /// The unknowns of a program with what decides on them.
-struct Numbering {
-    pieces: RigidPieces,
+pub(super) struct Numbering {
+    pub(super) pieces: RigidPieces,
     slips: Vec<SlipFace>,
     tied: TiedPoints,
-    map: DofMap,
-    rigid: Vec<RigidMotions>,
+    pub(super) map: DofMap,
+    pub(super) rigid: Vec<RigidMotions>,
 }
 
 /// Numbers the unknowns. `slipping`: bodies without a yield strength are rigid and may slip on held
 /// faces and along ties.
-fn numbering(
+pub(super) fn numbering(
     model: &AnalysisModel,
     space: &Tet10Space,
     slipping: bool,
@@ -383,14 +383,6 @@ impl Kinematic {
 
     /// The rigid motions that only contact resists.
     pub fn contact_modes(&self, model: &AnalysisModel) -> Vec<ContactMode> {
-        let part = model.node_parts();
-        let points: Vec<(usize, V3)> = self
-            .space
-            .nodes
-            .iter()
-            .enumerate()
-            .map(|(i, x)| (part[self.space.a_vertex(i)] as usize, *x))
-            .collect();
-        contact_modes(model, &self.map, &points)
+        contact_modes_of_nodes(model, &self.space, &self.map)
     }
 }

@@ -3,7 +3,8 @@
 //! [`kinematic`] and [`static_form`] build them. The other files are their parts: unknowns
 //! ([`dofs`], [`rigid_motions`], [`cuts`], [`free_modes`]), [`loads`], [`contact`] cones, welds
 //! ([`weld_face`]), slip on held faces ([`slip_face`]) and elements that yield
-//! ([`yielding_elements`]).
+//! ([`yielding_elements`]). [`elastic_unknowns`] has the unknowns of the kinematic program
+//! without its cones.
 
 pub mod assemble;
 pub mod conic;
@@ -12,6 +13,7 @@ pub mod contact;
 pub mod contact_modes;
 pub mod cuts;
 pub mod dofs;
+pub mod elastic_unknowns;
 pub mod explicit;
 pub mod free_modes;
 pub mod kinematic;

@@ -68,6 +68,8 @@ pub enum Stop {
     Nothing,
     /// The remesher made the same mesh again.
     SameMesh,
+    /// What was asked for is decided already.
+    Decided,
 }
 
 /// The decision.
