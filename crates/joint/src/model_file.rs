@@ -2,25 +2,24 @@
 //! by the names in the mesh.
 
 mod bolt_entries;
+mod materials;
 
 use crate::assembly::Assembly;
-use crate::assembly::assembly::{Action, BoltPreload, FaceLoad, Part, SymmetryPlane, WeldRule};
+use crate::assembly::assembly::{
+    Action, BoltPreload, FaceLoad, Part, PartRole, SymmetryPlane, WeldRule,
+};
 use crate::meshing::naming::symmetry_face;
 use crate::strength::DesignStrengths;
 use bracket_engine::mesh::TetMesh;
 use bracket_engine::model::AnalysisKind;
 use bracket_engine::model::file::{
-    Axis, Bounds, Gap, InterfaceEntry, Law, LoadEntry, MaterialEntry, ModelFile, Motion, Nodes,
-    PreloadEntry, RigidEntry, SupportEntry,
+    Axis, Bounds, Gap, InterfaceEntry, Law, LoadEntry, ModelFile, Motion, Nodes, PreloadEntry,
+    RigidEntry, SupportEntry,
 };
-use std::collections::BTreeMap;
 
 const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
 const MOTIONS: [Motion; 6] =
     [Motion::Ux, Motion::Uy, Motion::Uz, Motion::Rx, Motion::Ry, Motion::Rz];
-
-/// End of the key of a steel whose parts with holes are weaker than it.
-const WITH_HOLES: &str = "_WITH_HOLES";
 
 /// Names of the load cases, in the order of their first load.
 pub fn cases(assembly: &Assembly) -> Vec<String> {
@@ -33,12 +32,32 @@ pub fn cases(assembly: &Assembly) -> Vec<String> {
     out
 }
 
+/// What is analysed of a joint.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Asked {
+    /// The load case.
+    pub case: String,
+    /// The kind of analysis.
+    pub kind: AnalysisKind,
+    /// Whether the bolts stay elastic although other parts yield. Their stiffness is then that of
+    /// the stress area, and preload drops out.
+    pub elastic_bolts: bool,
+}
+
+impl Asked {
+    /// A load case under a kind of analysis in which all parts yield that can.
+    pub fn new(case: impl Into<String>, kind: AnalysisKind) -> Self {
+        Self { case: case.into(), kind, elastic_bolts: false }
+    }
+}
+
 /// The model of one load case on a joint's mesh.
 ///
 /// Rules about parts and faces that `mesh` does not contain (beyond a symmetry plane) are left out.
 /// `mesh_name` is the path of the mesh file relative to the model file. Forces and moments become
 /// actions on rigid faces, free in all motions that the symmetry planes through them permit. A
-/// preloaded bolt that a symmetry plane halves has half its preload. In limit analysis the
+/// preloaded bolt that a symmetry plane halves has half its preload, which drops out where the
+/// bolts stay elastic beside parts that yield. In limit analysis the
 /// resistances of the bolts are limits of the forces in the sections of their shanks. There is no
 /// entry for adaptation. A material or weld without an entry in `strengths` gets none in the model,
 /// which the engine then refuses.
@@ -48,9 +67,9 @@ pub fn model_file(
     mesh: &TetMesh,
     symmetry_used: &[SymmetryPlane],
     mesh_name: &str,
-    case: &str,
-    analysis: AnalysisKind,
+    asked: &Asked,
 ) -> ModelFile {
+    let (case, analysis) = (&asked.case, asked.kind);
     let has_body = |name: &String| mesh.bodies.contains(name);
     let has_face = |name: &str| mesh.faces_named(name).is_some();
     let kept: Vec<_> = assembly.parts.iter().filter(|p| has_body(&p.name)).collect();
@@ -58,7 +77,9 @@ pub fn model_file(
         AnalysisKind::Limit => bolt_entries::limits(assembly, strengths, mesh, symmetry_used),
         _ => bolt_entries::Limits::default(),
     };
-    let (materials, bodies) = materials(assembly, &kept, strengths, &limited.shanks);
+    let stay_elastic = |part: &Part| asked.elastic_bolts && part.role == PartRole::Bolt;
+    let (materials, bodies) =
+        materials::materials(assembly, &kept, (strengths, &limited.shanks), stay_elastic);
     let contacts =
         assembly.interfaces.iter().filter(|rule| rule.between.iter().all(has_body)).map(|rule| {
             InterfaceEntry {
@@ -96,7 +117,7 @@ pub fn model_file(
         }
     }
     let here: Vec<&FaceLoad> =
-        assembly.loads.iter().filter(|l| l.case == case && has_face(&l.face)).collect();
+        assembly.loads.iter().filter(|l| l.case == *case && has_face(&l.face)).collect();
     let loads = |dead: bool| -> Vec<LoadEntry> {
         let entry = |l: &&FaceLoad| match l.action {
             Action::Traction(t) if l.dead == dead => Some(LoadEntry {
@@ -121,43 +142,16 @@ pub fn model_file(
         rigid: rigid_entries(assembly, &here, symmetry_used),
         loads: loads(false),
         dead: loads(true),
-        preload: preload_entries(assembly, mesh, symmetry_used),
+        preload: if asked.elastic_bolts {
+            Vec::new()
+        } else {
+            preload_entries(assembly, mesh, symmetry_used)
+        },
         cuts: limited.cuts,
         resultant_limits: limited.limits,
         adapt: None,
         symmetry: 1 << symmetry_used.len(),
     }
-}
-
-/// The materials of the meshed parts, and the material of each part. A part with holes may be
-/// weaker than its steel, and a bolt whose forces are limited has the yield strength of `shanks`.
-/// Parts with the same key share the least of their strengths.
-fn materials(
-    assembly: &Assembly,
-    kept: &[&Part],
-    strengths: &DesignStrengths,
-    shanks: &BTreeMap<String, f64>,
-) -> (BTreeMap<String, MaterialEntry>, BTreeMap<String, String>) {
-    let mut materials: BTreeMap<String, MaterialEntry> = BTreeMap::new();
-    let mut bodies = BTreeMap::new();
-    for part in kept {
-        let key = &part.material;
-        let (Some(m), Some(fy)) = (assembly.materials.get(key), strengths.materials.get(key))
-        else {
-            bodies.insert(part.name.clone(), key.clone());
-            continue;
-        };
-        let fy = shanks.get(&part.name).copied().or(fy.map(|s| s.mpa()));
-        let net = strengths.perforated.get(&part.name).map(|s| s.mpa());
-        let (key, fy) = match (net, fy) {
-            (Some(net), Some(fy)) if net < fy => (format!("{key}{WITH_HOLES}"), Some(net)),
-            _ => (key.clone(), fy),
-        };
-        let entry = materials.entry(key.clone()).or_insert(MaterialEntry { e: m.e, nu: m.nu, fy });
-        entry.fy = [entry.fy, fy].into_iter().flatten().reduce(f64::min);
-        bodies.insert(part.name.clone(), key);
-    }
-    (materials, bodies)
 }
 
 /// The fillet welds of the meshed part. They have a finite strength unless the analysis is elastic;
@@ -279,7 +273,7 @@ mod tests {
     ) -> ModelFile {
         let materials = joint.materials.keys().map(|name| (name.clone(), None)).collect();
         let strengths = DesignStrengths { materials, ..DesignStrengths::default() };
-        model_file(joint, &strengths, mesh, planes, "mesh.msh", case, kind)
+        model_file(joint, &strengths, mesh, planes, "mesh.msh", &Asked::new(case, kind))
     }
 
     /// Design strengths go into the model as they are, nominal ones never do: what has no design
@@ -299,7 +293,8 @@ mod tests {
         let mesh = names(&["UPPER", "LOWER", "BOLT"], &["BASE", "PULL", "WELD"]);
         let of = |strengths: &DesignStrengths| {
             let kind = AnalysisKind::Limit;
-            let file = model_file(&joint, strengths, &mesh, &[], "mesh.msh", "PULL", kind);
+            let file =
+                model_file(&joint, strengths, &mesh, &[], "mesh.msh", &Asked::new("PULL", kind));
             let weld = file.interfaces.iter().find(|i| i.law == Law::Weld).expect("a weld");
             (file.materials.get("steel").map(|m| m.fy), weld.strength)
         };
@@ -310,23 +305,6 @@ mod tests {
         };
         assert_eq!(of(&known), (Some(Some(213.6)), Some(207.8)));
         assert_eq!(of(&DesignStrengths::default()), (None, None));
-    }
-
-    /// A part with holes has a material of its own where it is weaker than its steel.
-    #[test]
-    fn a_part_with_holes_may_be_weaker_than_its_steel() {
-        let joint = lap_joint();
-        let mesh = names(&["UPPER", "LOWER", "BOLT"], &["BASE", "PULL"]);
-        let net = [("UPPER", 300.0), ("LOWER", 400.0)];
-        let known = DesignStrengths {
-            materials: [("steel".to_string(), Some(Design::new(355.0)))].into(),
-            perforated: net.map(|(part, f)| (part.to_string(), Design::new(f))).into(),
-            ..DesignStrengths::default()
-        };
-        let kind = AnalysisKind::Limit;
-        let file = model_file(&joint, &known, &mesh, &[], "mesh.msh", "PULL", kind);
-        let of = |part: &str| file.materials[&file.bodies[part]].fy;
-        assert_eq!(["UPPER", "LOWER", "BOLT"].map(of), [Some(300.0), Some(355.0), Some(355.0)]);
     }
 
     #[test]

@@ -129,6 +129,17 @@ pub enum NominalStrength {
     Bolt(BoltShank),
 }
 
+impl NominalStrength {
+    /// Share of the stiffness of the meshed shank that the part really has: a bolt stretches with
+    /// its stress area, and its mesh has the shank from head to nut.
+    pub fn stiffness_share(&self) -> f64 {
+        match self {
+            NominalStrength::Bolt(shank) => shank.stress_area / shank.shank_area,
+            NominalStrength::Unlimited | NominalStrength::Steel(_) => 1.0,
+        }
+    }
+}
+
 /// Design resistances of a bolt in its grip: limits of the forces in the sections of its shank.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BoltLimits {

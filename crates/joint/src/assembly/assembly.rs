@@ -109,6 +109,9 @@ pub struct PartMaterial {
     pub nu: f64,
     /// Nominal strength.
     pub strength: NominalStrength,
+    /// Ultimate strength of a rolled steel.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub fu: Option<Nominal>,
 }
 
 /// One body of the joint.

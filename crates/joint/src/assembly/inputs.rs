@@ -181,8 +181,12 @@ impl<'a> Inputs<'a> {
         let fy = steel
             .fy_by(spec.code.fy_source, thickness)
             .map_err(|cause| self.at_thickness(path, thickness, cause))?;
+        let fu = steel
+            .fu_by(spec.code.fy_source, thickness)
+            .map_err(|cause| self.at_thickness(path, thickness, cause))?;
         let strength = NominalStrength::Steel(Nominal::new(fy));
-        let material = PartMaterial { e: steel.e, nu: steel.nu, strength };
+        let fu = Some(Nominal::new(fu));
+        let material = PartMaterial { e: steel.e, nu: steel.nu, strength, fu };
         Ok(insert(materials, &steel.grade, thickness, material))
     }
 
@@ -241,7 +245,7 @@ impl<'a> Inputs<'a> {
             stress_area: size.stress_area,
             shank_area: std::f64::consts::PI * size.d * size.d / 4.0,
         });
-        let material = PartMaterial { e: BOLT_ELASTIC.0, nu: BOLT_ELASTIC.1, strength };
+        let material = PartMaterial { e: BOLT_ELASTIC.0, nu: BOLT_ELASTIC.1, strength, fu: None };
         insert(materials, &format!("bolt_{}_{}", size.size, grade.grade), size.d, material)
     }
 

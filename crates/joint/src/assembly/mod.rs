@@ -24,6 +24,7 @@ pub mod origin;
 pub mod part;
 pub mod scope;
 mod seen_bolts;
+pub mod sheets;
 mod small_actions;
 mod spec_checks;
 pub mod symmetry;

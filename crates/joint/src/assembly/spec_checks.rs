@@ -60,6 +60,7 @@ pub(super) fn rest(
 ) {
     numbers(spec, faults);
     coulomb_estimate(spec, mu, faults);
+    bolt_model(spec, faults);
     loads(spec, template, faults);
     categories(spec, faults);
 }
@@ -132,7 +133,7 @@ fn coulomb_estimate(spec: &ConnectionSpec, mu: f64, faults: &mut Vec<AssemblyErr
     let a = &spec.analysis;
     let (problem, help) = match () {
         _ if !a.coulomb_estimate => return,
-        _ if !a.kind.0.contains(&AnalysisKind::Limit) => (
+        _ if !a.kinds(a.decide == Some(true)).contains(&AnalysisKind::Limit) => (
             "it estimates the load factor of limit analysis, which `kind` does not ask for",
             "write `kind: limit` or a list with `limit`, or leave `coulomb_estimate` out",
         ),
@@ -148,6 +149,24 @@ fn coulomb_estimate(spec: &ConnectionSpec, mu: f64, faults: &mut Vec<AssemblyErr
     };
     let path = "analysis.coulomb_estimate".into();
     faults.push(AssemblyError::Value { path, problem: problem.into(), help: help.into() });
+}
+
+/// Elastic bolts belong to an elastoplastic analysis.
+fn bolt_model(spec: &ConnectionSpec, faults: &mut Vec<AssemblyError>) {
+    let a = &spec.analysis;
+    if a.bolts.is_yielding()
+        || a.kinds(a.decide == Some(true)).contains(&AnalysisKind::Elastoplastic)
+    {
+        return;
+    }
+    faults.push(AssemblyError::Value {
+        path: "analysis.bolts".into(),
+        problem: "elastic bolts belong to an elastoplastic analysis, which `kind` does not ask for"
+            .into(),
+        help: "write `kind: elastoplastic` or a list with it, or leave `bolts` out; in elastic \
+               analysis all bolts are elastic"
+            .into(),
+    });
 }
 
 /// Loads that name no section, an unknown section, or a section already loaded.

@@ -168,7 +168,8 @@ fn paper_joint_is_complete() {
         super::assembly::PartMaterial {
             e: 210_000.0,
             nu: 0.3,
-            strength: NominalStrength::Steel(Nominal::new(235.0))
+            strength: NominalStrength::Steel(Nominal::new(235.0)),
+            fu: Some(Nominal::new(360.0)),
         }
     );
 }

@@ -53,7 +53,7 @@ fn hexagon(origin: [f64; 3], u: [f64; 3], v: [f64; 3], s: f64, length: f64) -> S
 fn steel() -> BTreeMap<String, PartMaterial> {
     BTreeMap::from([(
         "steel".to_string(),
-        PartMaterial { e: 210000.0, nu: 0.3, strength: NominalStrength::Unlimited },
+        PartMaterial { e: 210000.0, nu: 0.3, strength: NominalStrength::Unlimited, fu: None },
     )])
 }
 

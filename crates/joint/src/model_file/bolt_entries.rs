@@ -145,7 +145,7 @@ mod tests {
     use crate::assembly::assembly::{Ply, Section, Surface};
     use crate::catalog::Catalog;
     use crate::geometry::fixtures::lap_joint;
-    use crate::model_file::model_file;
+    use crate::model_file::{Asked, model_file};
     use crate::strength::{Design, Nominal};
     use bracket_engine::mesh::NamedFaces;
     use bracket_engine::model::AnalysisKind;
@@ -197,7 +197,7 @@ mod tests {
             ..TetMesh::default()
         };
         let planes: Vec<SymmetryPlane> = axes.iter().map(|&axis| SymmetryPlane { axis }).collect();
-        model_file(joint, strengths, &mesh, &planes, "mesh.msh", "PULL", kind)
+        model_file(joint, strengths, &mesh, &planes, "mesh.msh", &Asked::new("PULL", kind))
     }
 
     /// The shear plane with punching, and bearing of either ply by direction; half of it where a

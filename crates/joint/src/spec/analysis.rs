@@ -26,6 +26,14 @@ pub struct AnalysisSpec {
     /// have none.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub coulomb_estimate: bool,
+    /// Elastoplastic analysis: whether the bolts yield.
+    #[serde(skip_serializing_if = "BoltModel::is_yielding")]
+    pub bolts: BoltModel,
+    /// Run what a verdict by analysis needs, and no more: limit analysis, and elastoplastic
+    /// analysis with elastic bolts. By default where `kind` has limit analysis and the code has no
+    /// method for a load at a member end.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub decide: Option<bool>,
     /// Mesh.
     pub mesh: MeshSpec,
 }
@@ -39,8 +47,47 @@ impl Default for AnalysisSpec {
             max_macro_tets: 200_000,
             time_limit: None,
             coulomb_estimate: false,
+            bolts: BoltModel::Yielding,
+            decide: None,
             mesh: MeshSpec::default(),
         }
+    }
+}
+
+/// How the bolts of an elastoplastic analysis behave.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum BoltModel {
+    /// They yield as their grade does.
+    #[default]
+    Yielding,
+    /// They stay elastic, with the stiffness of their stress area: no force is redistributed by
+    /// bolts that yield. Preload drops out.
+    Elastic,
+}
+
+impl BoltModel {
+    /// True for the default.
+    pub fn is_yielding(&self) -> bool {
+        *self == BoltModel::Yielding
+    }
+}
+
+impl AnalysisSpec {
+    /// The kinds of analysis to run: those of `kind` and, where analysis decides, those that a
+    /// verdict by analysis needs.
+    pub fn kinds(&self, decide: bool) -> Vec<AnalysisKind> {
+        let mut kinds = self.kind.0.clone();
+        if decide {
+            let needed = [AnalysisKind::Limit, AnalysisKind::Elastoplastic];
+            kinds.extend(needed.into_iter().filter(|k| !self.kind.0.contains(k)));
+        }
+        kinds
+    }
+
+    /// Whether the bolts of this kind of analysis stay elastic although plates yield.
+    pub fn elastic_bolts(&self, kind: AnalysisKind, decide: bool) -> bool {
+        kind == AnalysisKind::Elastoplastic && (decide || self.bolts == BoltModel::Elastic)
     }
 }
 
