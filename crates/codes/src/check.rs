@@ -63,6 +63,9 @@ pub enum Topic {
 pub enum Binding {
     /// Strength that a limit analysis of the same case determines as well, and stands in for.
     Strength,
+    /// Strength or stability of the joint for which the code has no method: the complete route of
+    /// analysis answers it ([`crate::route`]).
+    Open,
     /// What a limit analysis does not know: single bolts and welds, sections, stability, detailing,
     /// and what the code leaves open.
     Beside,
@@ -168,6 +171,13 @@ impl Check {
             self.derivation.lines.push(Line::DecidedBy(step.into()));
         }
         self
+    }
+
+    /// Whether it is undecided because the code has no method for the strength or the stability of
+    /// the joint.
+    pub fn is_without_method(&self) -> bool {
+        let of_joint = matches!(self.binding, Binding::Strength | Binding::Open);
+        self.status == Status::Undecided && of_joint
     }
 
     /// Why an undecided check is open, and what would decide it.
@@ -305,6 +315,13 @@ impl Check {
     #[must_use]
     pub fn of_strength(mut self) -> Self {
         self.binding = Binding::Strength;
+        self
+    }
+
+    /// The check of strength or stability of the joint for which the code has no method.
+    #[must_use]
+    pub fn without_method(mut self) -> Self {
+        self.binding = Binding::Open;
         self
     }
 

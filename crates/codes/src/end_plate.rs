@@ -89,6 +89,9 @@ pub fn hand_checks(e: &EndPlate) -> HandChecks {
     out.checks.extend(column_checks::given(e));
     out.notes.extend(column_checks::beyond_the_column(e));
     load_cases::checks(e, &mut out);
+    if e.outer_gauge > 0.0 {
+        out.checks.iter_mut().for_each(assumptions::by_inner_bolts);
+    }
     out.checks.sort_by_key(|c| c.topic);
     out
 }

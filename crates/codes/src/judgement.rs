@@ -3,8 +3,10 @@
 //! NOT OK if a binding check fails or a strict upper bound is below the demand: no route overrules
 //! that. OK by code if every check that the code asks of the joint has a method and holds, strength
 //! by the component method included, whatever an unfinished or wide bracket says. OK by analysis
-//! if the lower bound of limit analysis carries the load and every binding check of what limit
-//! analysis does not know holds: buckling, fracture, slenderness. Otherwise UNDECIDED.
+//! if the route of analysis is complete ([`crate::route`]) and every binding check that has a
+//! method holds; or if the code has a method for all but the strength of the joint, the lower bound
+//! of limit analysis carries the load, and every binding check of what limit analysis does not know
+//! holds: buckling, fracture, slenderness. Otherwise UNDECIDED.
 
 mod analysed;
 mod governing;
@@ -15,6 +17,7 @@ pub use governing::Governing;
 
 use super::check::{Binding, Check, Status};
 use super::end_plate::HandChecks;
+use super::route::RouteStep;
 use super::verdict::{Route, Verdict};
 use bracket_base::say;
 use bracket_base::words::Text;
@@ -38,6 +41,9 @@ pub struct Judgement {
     /// Check or bound that governs; absent where none has a utilisation.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub governing: Option<Governing>,
+    /// The steps of the route of analysis; of several load cases none.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub steps: Vec<RouteStep>,
 }
 
 /// Judges each load case, and all of them together. Where a limit analysis decides a case and no
@@ -46,7 +52,9 @@ pub fn judge(checks: &mut HandChecks, cases: &[Analysed]) -> (Judgement, Vec<Jud
     // with strength by the component method, before an analysis stands in for it
     let complete: Vec<bool> =
         cases.iter().map(|a| by_code(&binding(checks, a)) == Verdict::Ok).collect();
-    for a in cases.iter().filter(|a| matches!(a.verdict, Verdict::Ok | Verdict::NotOk)) {
+    let decided =
+        |a: &&Analysed| matches!(a.verdict, Verdict::Ok | Verdict::NotOk) || a.route_holds();
+    for a in cases.iter().filter(decided) {
         checks.beside_analysis(&a.case);
     }
     let each: Vec<Judgement> =
@@ -86,18 +94,25 @@ fn by_code(binding: &[&Check]) -> Verdict {
 
 /// The verdict on one load case. `complete`: the code's route is complete and holds.
 fn of_case(checks: &HandChecks, a: &Analysed, complete: bool) -> Judgement {
-    let binding = binding(checks, a);
+    let mut binding = binding(checks, a);
+    let shown = a.route_holds();
+    let unanswered = |c: &&Check| !(shown && c.is_without_method());
+    let rest = self::by_code(&binding.iter().copied().filter(unanswered).collect::<Vec<_>>());
     let by_code = if complete { Verdict::Ok } else { by_code(&binding) };
     let service = checks.serviceability.contains(&a.case);
     let (verdict, route) = match (by_code, a.verdict) {
         (Verdict::NotOk, _) | (_, Verdict::NotOk) => (Verdict::NotOk, None),
         _ if complete => (Verdict::Ok, Some(Route::Code)),
-        (Verdict::Ok | Verdict::None, Verdict::Ok) => (Verdict::Ok, Some(Route::Analysis)),
+        _ if shown && rest != Verdict::Undecided => (Verdict::Ok, Some(Route::Analysis)),
+        (Verdict::Ok, Verdict::Ok) => (Verdict::Ok, Some(Route::Analysis)),
         // of a case at serviceability only slip is checked, if anything
         (Verdict::None, _) if service => (Verdict::None, None),
         _ => (Verdict::Undecided, None),
     };
-    let check = governing_check(&binding, by_code);
+    if verdict == Verdict::Ok {
+        binding.retain(unanswered);
+    }
+    let check = governing_check(&binding, if verdict == Verdict::Ok { rest } else { by_code });
     let code = check.map(Governing::by_check);
     let analysis = (a.verdict != Verdict::None).then(|| Governing {
         case: Some(a.case.clone()),
@@ -112,7 +127,8 @@ fn of_case(checks: &HandChecks, a: &Analysed, complete: bool) -> Judgement {
     let governing = if by_bracket { analysis.or(code) } else { code };
     let open = check.filter(|c| c.status == Status::Undecided);
     let reason = reason::sentence(a, (by_code, open), (verdict, route), governing.as_ref());
-    Judgement { verdict, route, by_code, by_analysis: a.verdict, reason, governing }
+    let steps = a.steps.clone();
+    Judgement { verdict, route, by_code, by_analysis: a.verdict, reason, governing, steps }
 }
 
 /// The verdict on all cases, with the reason of the worst one and the names of those without a
@@ -144,6 +160,7 @@ fn together(each: &[Judgement], cases: &[Analysed]) -> Judgement {
         by_analysis: worst(|j| j.by_analysis),
         reason,
         governing: speaker.and_then(|i| each[i].governing.clone()),
+        steps: Vec::new(),
     }
 }
 

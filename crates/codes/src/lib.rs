@@ -15,6 +15,7 @@ pub mod error;
 pub mod eurocode;
 pub mod formula;
 pub mod judgement;
+pub mod route;
 pub mod subject;
 pub mod unit;
 pub mod verdict;

@@ -1,7 +1,7 @@
 //! Assumptions of the checks where the spec gives no value, and input that the code does not cover.
 
 use super::column_forces::{ColumnForces, corner};
-use crate::check::{Check, CheckId, Status, Topic, Unit};
+use crate::check::{Binding, Check, CheckId, Status, Topic, Unit};
 use crate::subject::{Part, Place};
 use bracket_base::say;
 use bracket_base::words::Text;
@@ -13,7 +13,9 @@ pub(super) fn unseen_loads(e: &EndPlate) -> Vec<Check> {
         let (clause, id) = ("EN 1993-1-8:2005 6.2", CheckId::LoadsNotHeld);
         let topic = Topic::ComponentMethod;
         let (why, step) = (l.why.clone(), l.step.clone());
-        Check::undecided(topic, Part::Joint, clause, id, why, step).of_case(&l.case)
+        Check::undecided(topic, Part::Joint, clause, id, why, step)
+            .without_method()
+            .of_case(&l.case)
     };
     e.unseen.iter().map(unseen).collect()
 }
@@ -60,6 +62,29 @@ pub(super) fn no_weld_strength(e: &EndPlate) -> Vec<Check> {
             Check::undecided(Topic::Welds, part, clause, id, why, step)
         })
         .collect()
+}
+
+/// Ids of the checks of bolts under load.
+const OF_BOLTS: [CheckId; 6] = [
+    CheckId::BoltGroupShear,
+    CheckId::BoltTension,
+    CheckId::BoltShearAndTension,
+    CheckId::BearingResistance,
+    CheckId::BearingAcross,
+    CheckId::PunchingResistance,
+];
+
+/// In rows of four bolts a check that counts the inner two alone proves strength where it holds; it
+/// disproves nothing where it fails, because the outer two carry as well: then the code has no
+/// method.
+pub(super) fn by_inner_bolts(check: &mut Check) {
+    let of_bolts = check.case.is_some() && OF_BOLTS.contains(&check.id());
+    if check.status != Status::Failed || !(of_bolts || check.binding == Binding::Strength) {
+        return;
+    }
+    check.status = Status::Undecided;
+    let step = "two bolts in a row that carry the load alone: the check counts the inner two";
+    *check = check.clone().decided_by(step).without_method();
 }
 
 /// Assumptions of the component method where the spec gives no value.

@@ -219,11 +219,11 @@ fn twisted(
     let words = "St. Venant alone: the restraint of warping at the end plate is not counted";
     let worked = Worked::of(clause, id, "T_Rd", resistance, Unit::Moment).then(words);
     let undecided = |worked: Worked, demand: f64| {
-        let step = "less torsion, a beam with a larger I_t, or a check of the torsion with \
-                    warping by another method";
+        let step = "less torsion, or a beam with a larger I_t";
         worked
             .against(Topic::Member, subject.clone(), demand.abs(), Status::Undecided)
             .decided_by(step)
+            .without_method()
     };
     let mut out = vec![undecided(worked, torsion)];
     let stress = Traced::symbol("T_Ed", torsion.abs(), Unit::Moment) * thickest / constant;

@@ -79,14 +79,15 @@ pub(super) fn stability(loaded: &LoadedEnd<'_>) -> Vec<Check> {
         let web = end.assessment.limit(Summed::ColumnWeb).filter(|_| s.covered);
         let Some(web) = web else {
             let id = CheckId::Unseen;
-            out.push(Check::undecided(
+            let open = Check::undecided(
                 Topic::Stability,
                 end.subject(),
                 s.clause,
                 id,
                 s.why.clone(),
                 s.step,
-            ));
+            );
+            out.push(open.without_method());
             continue;
         };
         let mut worked = web.clone();

@@ -118,8 +118,7 @@ fn no_formula(a: &PlaneActions) -> Vec<Check> {
             CheckId::WeakAxisOfJoint,
             "6.2 has no resistance of the joint to it: the rows would pull with one column of \
              bolts each, for which Tables 6.4 and 6.6 have no effective lengths",
-            "a detail that carries Mz beside the joint, or a check by another method; bounds of \
-             limit analysis do not replace this check",
+            "a detail that carries Mz beside the joint",
         ),
         (
             "T",
@@ -127,15 +126,14 @@ fn no_formula(a: &PlaneActions) -> Vec<Check> {
             CheckId::TorsionOfJoint,
             "6.2 has no resistance of end plate and welds to it, and the restraint of warping at \
              the plate is not known",
-            "a detail that carries T beside the joint, or a check by another method; bounds of \
-             limit analysis do not replace this check",
+            "a detail that carries T beside the joint",
         ),
     ];
     let acts = steps.into_iter().filter(|(_, moment, ..)| *moment != 0.0);
     let check = |(name, moment, id, why, step): (_, _, _, &'static str, &'static str)| {
         let (clause, value) = ("EN 1993-1-8:2005 6.2", Unit::Moment.show(moment));
         let why = say!("{} = {}: {}", name, value, why);
-        Check::undecided(Topic::Bolts, Subject::end(&a.end), clause, id, why, step)
+        Check::undecided(Topic::Bolts, Subject::end(&a.end), clause, id, why, step).without_method()
     };
     acts.map(check).collect()
 }

@@ -9,6 +9,7 @@ pub mod grip;
 pub mod holes;
 pub mod i_section;
 pub mod interaction;
+pub mod plate_buckling;
 pub mod punching;
 pub mod section;
 pub mod slip;

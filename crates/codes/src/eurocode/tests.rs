@@ -5,7 +5,7 @@ use super::block_tearing::Blocks;
 use super::bolts::{long_joint, shear_resistance, tension_resistance};
 use super::slip::{SlipHole, preload, slip_resistance};
 use super::spacing::{Pattern, pattern_checks, washer_check, wrench_check};
-use super::welds::{self, ThroatStress, WeldedSteel};
+use super::welds::{self, PairForce, ThroatStress, WeldedSteel};
 use super::{bolt_length, interaction, punching};
 use crate::check::Status;
 use crate::subject::Part;
@@ -239,6 +239,52 @@ fn clause_4_5_3_2_a_plate_pulled_and_sheared() {
     let tau_par = 100e3 / (2.0 * 4.0 * 240.0);
     let stress = ThroatStress { sigma_perp: across, tau_perp: across, tau_par };
     assert!((welds::directional(&stress, &S235).value - 0.4798).abs() < 5e-5);
+}
+
+/// Pairs of welds with a throat of 5 mm on a plate of 10 mm, by hand.
+#[test]
+fn clause_4_5_3_2_pair_of_welds() {
+    let used = |force: PairForce| welds::directional_pair(&force, 10.0, 5.0, &S235).value;
+    // two welds across the force carry √(3/2) times the value of the simplified method
+    let simplified = 2.0 * welds::simplified(5.0, &S235).value;
+    for normal in [simplified, -simplified] {
+        let pulled = PairForce { normal, ..PairForce::default() };
+        near(used(pulled), (2.0f64 / 3.0).sqrt());
+        let across = PairForce { across: normal, ..PairForce::default() };
+        near(used(across), (2.0f64 / 3.0).sqrt());
+        // and along the welds just that value
+        near(used(PairForce { along: normal, ..PairForce::default() }), 1.0);
+    }
+    // n_w = 1000/2 + 2000/10 = 700, q_w = 300/2 = 150, l/2 = 200 N/mm; √2 a = 7.071 mm:
+    // σ⊥ = 550/7.071 = 77.78, τ⊥ = 850/7.071 = 120.21, τ∥ = 40 MPa,
+    // √(77.78² + 3 (120.21² + 40²)) = 232.8 MPa of 360
+    let all = PairForce { normal: 1000.0, across: 300.0, along: 400.0, couple: 2000.0 };
+    let worked = welds::directional_pair(&all, 10.0, 5.0, &S235);
+    assert!((worked.value - 232.81 / 360.0).abs() < 1e-5, "{}", worked.value);
+    assert!((worked.step("σ_eq").expect("a step") - 232.81).abs() < 5e-3);
+    for sign in 0..16 {
+        let of = |bit: i32, x: f64| if sign >> bit & 1 == 1 { -x } else { x };
+        let turned = PairForce {
+            normal: of(0, all.normal),
+            across: of(1, all.across),
+            along: of(2, all.along),
+            couple: of(3, all.couple),
+        };
+        near(used(turned), worked.value);
+    }
+    // σ⊥ decides where β_w f_u is large: n_w = q_w = 648 N/mm, σ⊥ = 183.3, τ⊥ = 0 of 0.9 · 360/1.25
+    let soft = WeldedSteel { beta_w: 0.1, ..S235 };
+    let both = PairForce { normal: 1296.0, across: 1296.0, ..PairForce::default() };
+    let sigma = 1296.0 / (2f64.sqrt() * 5.0);
+    near(welds::directional_pair(&both, 10.0, 5.0, &soft).value, sigma / 259.2);
+}
+
+/// The stresses on the throat carry the force: their squares sum to that of the force per area.
+#[test]
+fn clause_4_5_3_2_stresses_on_the_throat() {
+    let [s, t, p] = welds::throat_stresses([300.0, -200.0, 100.0], 4.0);
+    near(s * s + t * t + p * p, (9e4 + 4e4 + 1e4) / 16.0);
+    assert_eq!(welds::throat_stresses([300.0, 300.0, 0.0], 4.0)[1], 0.0);
 }
 
 #[test]

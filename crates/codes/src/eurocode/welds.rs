@@ -62,6 +62,76 @@ pub fn directional(stress: &ThroatStress, steel: &WeldedSteel) -> Worked {
     steps.fold(worked, |w, (symbol, value)| w.with(symbol, value, Unit::Stress))
 }
 
+/// Forces per length of the joint of a plate with a fillet weld on either side of it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PairForce {
+    /// n, along the plate and normal to what it stands on, either sign \[N/mm\].
+    pub normal: f64,
+    /// q, across the welds, normal to the plate, either sign \[N/mm\].
+    pub across: f64,
+    /// l, along the welds, either sign \[N/mm\].
+    pub along: f64,
+    /// m, a couple about the line of the welds, either sign \[N mm/mm\].
+    pub couple: f64,
+}
+
+/// Stresses σ⊥, τ⊥ and τ∥ on the throat of one fillet weld \[MPa\], from its force per length
+/// normal to the surface that a plate stands on, across and along \[N/mm\].
+///
+/// `σ⊥ = (n + q)/(√2 a)`, `τ⊥ = (n − q)/(√2 a)`, `τ∥ = l/a`, n in tension positive, q positive
+/// where it pulls the plate away from this weld; the throat is at 45° to both plates.
+///
+/// # Source
+/// EN 1993-1-8:2005 4.5.3.2(4) and (5), Figure 4.5: the stresses on the section of the throat.
+pub fn throat_stresses<N: Number>([n, q, l]: [N; 3], throat: N) -> [N; 3] {
+    let across = N::from(2.0).sqrt() * throat.clone();
+    [(n.clone() + q.clone()) / across.clone(), (n - q) / across, l / throat]
+}
+
+/// Force per length of the more loaded weld of a pair normal to the surface that the plate stands
+/// on, `n/2 + m/t` of n and m ≥ 0; `thickness` t is the lever arm of the couple.
+fn more_loaded<N: Number>(normal: N, couple: N, thickness: N) -> N {
+    normal / N::from(2.0) + couple / thickness
+}
+
+/// Utilisation of the fillet welds on both sides of a plate by the directional method, to be at
+/// most 1; `thickness` t of the plate and `throat` a of each weld \[mm\].
+///
+/// Each weld takes n/2 ± m/t, q/2 and l/2. The largest value of all signs is taken: q pulls the
+/// plate away from one weld and pushes it on the other, and which of them has more of n is open.
+///
+/// # Source
+/// EN 1993-1-8:2005 4.5.3.2(6) with the stresses of [`throat_stresses`]; the couple of two parallel
+/// forces at the faces of the plate is this program's. Throats lie beyond the faces, so that the
+/// real lever arm is larger.
+pub fn directional_pair(
+    force: &PairForce,
+    thickness: f64,
+    throat: f64,
+    steel: &WeldedSteel,
+) -> Worked {
+    let line =
+        |name: &'static str, value: f64| Traced::symbol(name, value.abs(), Unit::ForcePerLength);
+    let (t, a) = (Traced::length("t", thickness), Traced::length("a", throat));
+    let couple = Traced::force("m", force.couple.abs());
+    let normal = more_loaded(line("n", force.normal), couple, t);
+    let normal = Formula::new("n_w", normal, Unit::ForcePerLength);
+    let across = line("q", force.across) / Traced::from(2.0);
+    let across = Formula::new("q_w", across, Unit::ForcePerLength);
+    let along = line("l", force.along) / Traced::from(2.0);
+    let of = |q: Traced| {
+        let stresses = throat_stresses([normal.traced(), q, along.clone()], a.clone());
+        let [sigma_perp, tau_perp, tau_par] = stresses.clone().map(|s| s.value());
+        let worked = directional(&ThroatStress { sigma_perp, tau_perp, tau_par }, steel);
+        let lines = ["σ⊥", "τ⊥", "τ∥"].into_iter().zip(stresses);
+        let lines = lines.map(|(symbol, s)| Formula::new(symbol, s, Unit::Stress).into());
+        let forces = [&normal, &across].map(|f| f.clone().into());
+        worked.after(Derivation { lines: forces.into_iter().chain(lines).collect() })
+    };
+    let [opens, closes] = [of(across.traced()), of(-across.traced())];
+    if closes.value > opens.value { closes } else { opens }
+}
+
 /// Design resistance of a fillet weld per length by the simplified method \[N/mm\]; `throat` a
 /// \[mm\].
 ///

@@ -1,5 +1,6 @@
 //! What the analyses of a load case have proved.
 
+use crate::route::{RouteStep, is_complete};
 use crate::verdict::Verdict;
 use bracket_base::words::Text;
 
@@ -21,6 +22,8 @@ pub struct Analysed {
     /// What its analyses did not supply: `limit analysis gave no lower bound (time
     /// limit)`.
     pub missing: Option<Text>,
+    /// The steps of the route of analysis; none where no limit analysis was asked.
+    pub steps: Vec<RouteStep>,
 }
 
 impl Analysed {
@@ -33,6 +36,17 @@ impl Analysed {
             brittle: false,
             no_rule: false,
             missing: None,
+            steps: Vec::new(),
         }
+    }
+
+    /// The first step of the route of analysis that does not hold.
+    pub fn first_open(&self) -> Option<&RouteStep> {
+        self.steps.iter().find(|s| !s.holds())
+    }
+
+    /// Whether the route of analysis is complete and every step holds.
+    pub fn route_holds(&self) -> bool {
+        is_complete(&self.steps)
     }
 }

@@ -39,15 +39,17 @@ pub(super) fn sentence(
             what,
             beside(a)
         ),
+        (Verdict::Ok, ..) if a.route_holds() => {
+            say!("{}: every step of the route of analysis holds: {}", case, steps(a))
+        }
         (Verdict::Ok, Verdict::Ok, _) => say!(
             "{}: the lower bound carries the load in place of the component method, and every \
              check of what limit analysis does not know holds; governing: {}",
             case,
             what
         ),
-        (Verdict::Ok, ..) => {
-            say!("{}: the lower bound carries the load; no check of the code covers it", case)
-        }
+        // a case without checks is only carried by the route of analysis
+        (Verdict::Ok, ..) => say!("{}: the lower bound carries the load", case),
         (Verdict::NotOk, Verdict::NotOk, Verdict::Ok) => say!(
             "{}: the lower bound carries the load, but a check of what limit analysis does not \
              know fails: {}",
@@ -66,6 +68,29 @@ pub(super) fn sentence(
 /// The reason of an undecided case, with what would decide it.
 fn undecided(a: &Analysed, open: Option<&Check>, what: Text) -> Text {
     let (case, state) = (&a.case, state(a));
+    if let Some(step) = a.first_open().filter(|_| open.is_none_or(Check::is_without_method)) {
+        let next = step.next.clone().unwrap_or_default();
+        let title: Text = step.step.title().into();
+        return match open {
+            Some(check) => say!(
+                "{}: the code has no method for {}; the route of analysis lacks a step, {}: {}; \
+                 what would decide it: {}",
+                case,
+                check.title.text(),
+                title,
+                &step.finding,
+                next
+            ),
+            None => say!(
+                "{}: no check of the code covers the load; the route of analysis lacks a step, {}: \
+                 {}; what would decide it: {}",
+                case,
+                title,
+                &step.finding,
+                next
+            ),
+        };
+    }
     let Some(check) = open else {
         return say!(
             "{}: no check of the code covers the load; {}; what would decide it: {}",
@@ -75,6 +100,10 @@ fn undecided(a: &Analysed, open: Option<&Check>, what: Text) -> Text {
         );
     };
     let (why, supply) = match check.open() {
+        // without a limit analysis there are no steps of its route
+        Some((why, step)) if check.is_without_method() && a.steps.is_empty() => {
+            (why, say!("{}; or the route of analysis (`kind: limit`)", step))
+        }
         Some((why, step)) => (why, step.clone()),
         None => (check.formula(), supply(a).into()),
     };
@@ -137,7 +166,14 @@ fn supply(a: &Analysed) -> &'static str {
     match a.verdict {
         _ if a.missing.is_some() => FINISH,
         Verdict::None => "a limit analysis (`kind: limit`)",
+        Verdict::Ok => "the route of analysis (`decide: true`)",
         _ if a.no_rule => RULE,
         _ => NARROW,
     }
+}
+
+/// The steps of the route with their largest values.
+fn steps(a: &Analysed) -> Text {
+    let each = a.steps.iter().filter(|s| s.utilisation.is_some());
+    Text::joined("; ", each.map(|s| say!("{}, {}", Text::from(s.step.title()), &s.finding)))
 }

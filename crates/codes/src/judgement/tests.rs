@@ -1,8 +1,10 @@
 use super::*;
 use crate::Worked;
 use crate::formula::Traced;
+use crate::route::{RouteStep, StepId, StepState};
 use crate::subject::Part;
 use crate::{CheckId, Topic, Unit};
+use bracket_base::words::Text;
 
 fn check(topic: Topic, value: f64, case: Option<&str>) -> Check {
     let c = Worked::of("6.2", CheckId::MomentAndAxial, "u", Traced::from(value), Unit::Number);
@@ -67,7 +69,8 @@ fn the_route_is_the_one_that_is_complete() {
         assert_eq!(of(&[method(0.8)], analysis), code, "information is still a check of the load");
     }
     assert_eq!(of(&[method(1.2), bolts.clone()], Fine), bounds);
-    assert_eq!(of(&[], Fine), bounds);
+    // a lower bound alone is no complete route
+    assert_eq!(of(&[], Fine), ("UNDECIDED", None));
     assert_eq!(of(&[method(1.2), bolts.clone()], Undecided), ("NOT OK", None));
     assert_eq!(of(&[method(0.8), bolts.clone()], NotOk), ("NOT OK", None));
     assert_eq!(of(&[], Undecided), ("UNDECIDED", None));
@@ -78,6 +81,68 @@ fn the_route_is_the_one_that_is_complete() {
     let all = |checks: &[Check], last| judge(&mut hand(checks, &[]), &cases(last)).0.route;
     assert_eq!(all(&two, Nothing), Some(Route::Code));
     assert_eq!(all(&[&two[..], &[over]].concat(), Fine), Some(Route::Analysis));
+}
+
+/// A step of the route of analysis.
+fn step(id: StepId, state: StepState) -> RouteStep {
+    match state {
+        StepState::Open => {
+            RouteStep::open(id, Text::given("it is not known"), "6.2", "a finer mesh")
+        }
+        state => RouteStep { state, ..RouteStep::proved(id, Text::given("it holds"), "6.2") },
+    }
+}
+
+/// A complete route of analysis answers what the code has no method for, in joints without checks
+/// and where no rule of rotation capacity holds. It overrules no check that fails, and none for
+/// which the code has a method. One open step leaves the case undecided, and is named with what
+/// closes it.
+#[test]
+fn a_complete_route_of_analysis_answers_what_has_no_method() {
+    let holds =
+        vec![step(StepId::Strength, StepState::Proved), step(StepId::Bolts, StepState::Estimated)];
+    let open = vec![holds[0].clone(), step(StepId::Strain, StepState::Open)];
+    let carried = |steps: &Vec<RouteStep>| Analysed {
+        verdict: Fine,
+        steps: steps.clone(),
+        ..Analysed::not("A")
+    };
+    let without = Check::undecided(
+        Topic::Bolts,
+        Part::Joint,
+        "6.2",
+        CheckId::WeakAxisOfJoint,
+        "no formula",
+        "another detail",
+    );
+    let without = without.without_method().of_case("A");
+    let bolts = check(Topic::Bolts, 0.9, Some("A"));
+    let outcome = |checks: &[Check], a: Analysed| {
+        let j = judged(checks, a);
+        (j.words(), j.by_code, j.steps.len())
+    };
+    let proved = "OK — by analysis";
+    let checks = [without.clone(), bolts.clone()];
+    assert_eq!(outcome(&checks, carried(&holds)), (proved, Undecided, 0));
+    assert_eq!(outcome(&[], carried(&holds)), (proved, Nothing, 0));
+    assert_eq!(outcome(&checks, carried(&open)), ("UNDECIDED", Undecided, 0));
+    assert_eq!(outcome(&checks, carried(&Vec::new())), ("UNDECIDED", Undecided, 0));
+    let reason = judged(&checks, carried(&open)).reason.to_string();
+    for word in ["no method for moment of the joint", "strain of the plates", "a finer mesh"] {
+        assert!(reason.contains(word), "{reason}");
+    }
+    // a check that fails, and one that the code leaves open for another reason
+    let fails = [without.clone(), check(Topic::Welds, 1.1, Some("A"))];
+    assert_eq!(outcome(&fails, carried(&holds)).0, "NOT OK");
+    let beside = Check { binding: Binding::Beside, ..without };
+    assert_eq!(outcome(&[beside, bolts.clone()], carried(&holds)).0, "UNDECIDED");
+    // the steps stand for the rule of rotation capacity
+    let brittle = Analysed { verdict: Undecided, brittle: true, no_rule: true, ..carried(&holds) };
+    let over = check(Topic::ComponentMethod, 1.01, Some("A"));
+    assert_eq!(outcome(&[over, bolts], brittle).0, proved);
+    // an upper bound below the load refuses whatever else is known
+    let refused = Analysed { verdict: NotOk, ..carried(&holds) };
+    assert_eq!(outcome(&checks, refused).0, "NOT OK");
 }
 
 /// A lower bound that no rule of rotation capacity supports decides nothing, and takes nothing
@@ -182,11 +247,12 @@ fn no_bracket_overrules_what_limit_analysis_does_not_know() {
     assert_eq!(verdicts(&[check(Topic::Detailing, 1.1, None)], &[], Fine), [NotOk, NotOk, Fine]);
 }
 
-/// A check of another case does not affect this one; without checks and without a bracket the
-/// verdict is undecided.
+/// A check of another case does not affect this one; without checks the verdict is undecided, a
+/// lower bound that carries the load or not.
 #[test]
 fn a_demand_always_ends_with_a_verdict() {
-    assert_eq!(verdicts(&[check(Topic::Bolts, 2.0, Some("B"))], &[], Fine), [Fine, Nothing, Fine]);
+    let other = [check(Topic::Bolts, 2.0, Some("B"))];
+    assert_eq!(verdicts(&other, &[], Fine), [Undecided, Nothing, Fine]);
     assert_eq!(verdicts(&[], &[], Nothing), [Undecided, Nothing, Nothing]);
     assert_eq!(
         verdicts(&[check(Topic::Detailing, 0.5, None)], &[], Nothing),

@@ -1,0 +1,55 @@
+//! Stability of the plates by reduced stress.
+
+use super::evidence::{CriticalFactors, CriticalMode};
+use super::facts::RouteFacts;
+use super::step::{RouteStep, RouteUse, StepId, StepState};
+use crate::eurocode::plate_buckling::reduction;
+use crate::unit::Unit;
+use bracket_base::say;
+use bracket_base::words::Text;
+use bracket_engine::estimate::buckling::conservative;
+
+const SOURCE: &str = "EN 1993-1-5:2006 10, EN 1993-1-1:2005 6.3.1.2 (curve c)";
+const SUPPLY: &str =
+    "more time (`time_limit`) or memory, or a coarser mesh (a larger `--size-factor`)";
+/// Critical factors above this are not computed: where α_ult,k is 4 or less, they reduce nothing.
+pub const LARGEST_CRITICAL: f64 = 100.0;
+/// Ratio of the element sizes of the two meshes.
+const REFINED: f64 = 2.0;
+
+/// The step: `ρ α_ult,k/γ_M1 ≥ 1` with `α_ult,k = γ_M0 λ_low` and the curve that errs to the safe
+/// side.
+pub(super) fn stability(
+    facts: &RouteFacts,
+    critical: Option<&CriticalFactors>,
+    lower: Option<f64>,
+) -> RouteStep {
+    let (Some(CriticalFactors { coarse, fine }), Some(lower)) = (critical, lower) else {
+        let finding = "the critical factor is not known".into();
+        return RouteStep::open(StepId::Stability, finding, SOURCE, SUPPLY);
+    };
+    let least = |modes: &[CriticalMode]| modes.first().map_or(LARGEST_CRITICAL, |m| m.factor);
+    let critical = conservative(least(coarse), least(fine), REFINED);
+    let part = fine.first().or(coarse.first()).map_or_else(Text::default, |m| Text::given(&m.part));
+    let ultimate = facts.factors.gamma_m0 * lower;
+    let rho = reduction(ultimate, critical);
+    let factors = [ultimate, critical, rho].map(crate::unit::number);
+    let [ultimate_words, critical_words, rho_words] = factors;
+    let what = say!(
+        "γ_M1/(ρ α_ult,k) with α_ult,k = {}, α_cr = {} ({}), ρ = {}",
+        ultimate_words,
+        critical_words,
+        part,
+        rho_words
+    );
+    let row = RouteUse {
+        what,
+        value: facts.factors.gamma_m1 / (rho * ultimate),
+        spread: None,
+        limit: 1.0,
+        unit: Unit::Number,
+        source: SOURCE.into(),
+    };
+    let next = "a thicker plate, a stiffener, or less load";
+    RouteStep::of_uses(StepId::Stability, StepState::Estimated, vec![row], SOURCE, next)
+}
