@@ -127,7 +127,7 @@ fn load(args: &MeshArgs) -> Result<(Assembly, bool, SizeRule, Vec<String>), Diag
         let file = spec_file::read(path, catalog.folder())?;
         let warnings = file.catalog.warnings().iter().map(spec_file::catalog_warning).collect();
         let analysis = &file.spec.value.analysis;
-        let sizes = meshing::sizes(&analysis.mesh, &analysis.kind.0, args.size_factor);
+        let sizes = meshing::sizes(&analysis.mesh, &file.kinds(), args.size_factor);
         return Ok((file.joint.assembly, analysis.mesh.layers, sizes, warnings));
     }
     if let Some(dir) = catalog.folder() {

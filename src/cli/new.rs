@@ -365,7 +365,10 @@ pub fn starter(
          until it is reached\n  # max_passes: {}  # meshes at most; 1: the first one alone\n  # \
          max_macro_tets: {}  # tetrahedra at most; 1 or more\n  # time_limit: 20 min  # s, min, \
          h; no limit by default\n  # coulomb_estimate: false  # limit with friction: estimate the \
-         load under Coulomb's law as well; up to ten solves more a mesh\n  mesh:\n    size: auto  \
+         load under Coulomb's law as well; up to ten solves more a mesh\n  # decide: \
+         false  # also run what a verdict by analysis needs where the code has no method: limit, \
+         and elastoplastic with elastic bolts\n  # bolts: yielding  # elastoplastic: yielding or \
+         elastic\n  mesh:\n    size: auto  \
          # auto, or a length from 0.5 mm to 1000 mm\n    # layers: true  # a mesh plane at \
          mid-thickness of every plate, flange, web and stiffener\n    # segments: {}  # sides of \
          the meshed bolt circles; even, 12 to 48\n",

@@ -11,6 +11,7 @@ use crate::driver::setup::Refinement;
 use bracket_base::diag::Diagnostics;
 use bracket_base::say;
 use bracket_base::words::Text;
+use bracket_codes::route::Evidence;
 use bracket_engine::model::AnalysisKind;
 use bracket_engine::model::AnalysisModel;
 use bracket_engine::model::file::Bounds;
@@ -149,6 +150,10 @@ fn finish(
 ) -> Result<Adapted, Diagnostics> {
     let mut entry = joined(name, &entries)?;
     entry.history = entries.iter().flat_map(|e| rows(&e.entry, entry.is_strict())).collect();
+    let mut measured: Vec<Evidence> =
+        entries.iter().filter_map(|e| e.entry.evidence.clone()).collect();
+    entry.evidence = measured.pop();
+    entry.evidence_before = measured;
     if let Some(last) = entries.last() {
         let new: Vec<Text> =
             last.entry.warnings.iter().filter(|w| !entry.warnings.contains(w)).cloned().collect();
@@ -210,6 +215,7 @@ fn shortfall(
         Some(Stop::Nothing) => {
             "no element contributes to the gap, so no finer mesh reduces it".into()
         }
+        Some(Stop::Decided) => "the meshes decide the load, and `decide` asks for no more".into(),
         Some(Stop::SameMesh) => "the remesher makes no finer mesh".into(),
         Some(Stop::Target) | None => say!("a finer mesh is needed ({})", refinement.finer),
     }

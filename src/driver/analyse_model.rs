@@ -119,7 +119,7 @@ pub fn analyse_model(
     let solved = solve(vec![case], &setup, &limits, &mut files, &log)?;
     let drawn = files.drawn();
     // a model file has no checks and no demand
-    let judged = solved.judge(&HandChecks::default(), &[]);
+    let judged = solved.judge(&HandChecks::default(), None, &[]);
     present(judged, context, drawn, &limits.interrupt, folder, &log)
 }
 

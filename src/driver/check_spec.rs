@@ -72,7 +72,8 @@ pub fn check(spec: &SpecInput) -> Result<Checked, Diagnostics> {
     let input = spec.open()?;
     check_input(&input, &[])?;
     let checks = spec_checks(&input);
-    let judged = unanalysed(&input, &checks, 1)?.judge(&checks, &demands(&input.spec.value.loads));
+    let judged =
+        unanalysed(&input, &checks, 1)?.judge(&checks, None, &demands(&input.spec.value.loads));
     Ok(Checked { input, checks, judged })
 }
 

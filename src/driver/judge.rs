@@ -4,6 +4,7 @@
 use crate::driver::solved::{Models, Solved};
 use bracket_base::diag::ExitStatus;
 use bracket_base::words::Text;
+use bracket_codes::route::{self, Found, RouteFacts};
 use bracket_codes::verdict::{self, Verdict};
 use bracket_codes::{self as codes, Analysed, HandChecks, Judgement};
 use bracket_engine::model::AnalysisKind;
@@ -23,8 +24,13 @@ pub struct Judged {
 impl Solved {
     /// Judges the run by its bounds and by the hand checks of its joint. `demands`: the load cases
     /// that the joint must carry.
-    pub fn judge(self, checks: &HandChecks, demands: &[GivenActions]) -> Judged {
-        Judged { result: judged(self.result, checks, demands), models: self.models }
+    pub fn judge(
+        self,
+        checks: &HandChecks,
+        facts: Option<&RouteFacts>,
+        demands: &[GivenActions],
+    ) -> Judged {
+        Judged { result: judged(self.result, checks, facts, demands), models: self.models }
     }
 }
 
@@ -57,7 +63,12 @@ fn certified(c: &CaseResult) -> bool {
 
 /// The result with what follows from its bounds and the hand checks. Of each case: utilisation,
 /// demand and joint stiffness; of the whole: checks and verdict.
-pub fn judged(mut result: ResultFile, checks: &HandChecks, demands: &[GivenActions]) -> ResultFile {
+pub fn judged(
+    mut result: ResultFile,
+    checks: &HandChecks,
+    facts: Option<&RouteFacts>,
+    demands: &[GivenActions],
+) -> ResultFile {
     for case in &mut result.cases {
         case.utilisation = safe_utilisation(case);
         let demand = demands.iter().find(|d| d.case == case.name);
@@ -82,7 +93,7 @@ pub fn judged(mut result: ResultFile, checks: &HandChecks, demands: &[GivenActio
     }
     // the findings of the analyses complete them
     let mut checks = checks.clone();
-    let of_case = |case: &String| analysed(&result, case);
+    let of_case = |case: &String| analysed(&result, facts, case);
     let analysed: Vec<Analysed> = demanded(demands, &result.asked).iter().map(of_case).collect();
     if analysed.is_empty() {
         result.verdict = if checks.failed() { Verdict::NotOk } else { Verdict::None };
@@ -121,7 +132,7 @@ fn no_rule(case: &CaseResult) -> bool {
 }
 
 /// What the analyses found of a load case. Only limit analysis brackets a resistance.
-fn analysed(result: &ResultFile, case: &String) -> Analysed {
+fn analysed(result: &ResultFile, facts: Option<&RouteFacts>, case: &String) -> Analysed {
     let entries = || result.cases.iter().filter(|c| c.name == *case);
     let limit = entries().find(|c| c.analysis == AnalysisKind::Limit);
     let verdict = limit.and_then(|c| c.demand.as_ref()).map_or(Verdict::None, |d| d.by_analysis);
@@ -133,6 +144,16 @@ fn analysed(result: &ResultFile, case: &String) -> Analysed {
     // only the absence of a rule keeps a lower bound above the load from deciding
     let carried = |c: &CaseResult| c.is_strict() && c.factor_bounds().0 >= Some(1.0);
     let brittle = limit.is_some_and(|c| carried(c) && no_rule(c));
+    // only limit analysis can carry the loads by a proof; estimates alone are no route
+    let steps = limit.zip(facts).map_or_else(Vec::new, |(c, facts)| {
+        let measured = entries().find(|c| c.evidence.is_some());
+        let meshes = measured.map_or_else(Vec::new, |c| {
+            c.evidence_before.iter().chain(&c.evidence).cloned().collect()
+        });
+        let critical = measured.and_then(|c| c.critical.as_ref());
+        let (lower, copies) = (c.factor_bounds().0, result.symmetry as usize);
+        route::steps(facts, Found { lower, copies, meshes: &meshes, critical })
+    });
     Analysed {
         case: case.clone(),
         verdict,
@@ -140,6 +161,7 @@ fn analysed(result: &ResultFile, case: &String) -> Analysed {
         brittle,
         no_rule: limit.is_some_and(no_rule),
         missing,
+        steps,
     }
 }
 

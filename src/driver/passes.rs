@@ -5,15 +5,18 @@ use crate::driver::limits::Limits;
 use crate::driver::pass_entry::{pass_bounds, pass_entry};
 use crate::driver::pass_run::{self, Terms, run_pass};
 use bracket_base::diag::{Diagnostic, Diagnostics};
+use bracket_codes::route::Evidence;
+use bracket_codes::verdict::Verdict;
 use bracket_engine::analysis::dispatch::AnalysisPass;
 use bracket_engine::mesh::TetMesh;
-use bracket_engine::model::AnalysisModel;
 use bracket_engine::model::file::{Bounds, ModelFile};
+use bracket_engine::model::{AnalysisKind, AnalysisModel};
 use bracket_engine::refine::plan::Prediction;
 use bracket_engine::solve::Patterns;
 use bracket_report::console::log::Log;
 use bracket_report::document::table::Table;
 use bracket_report::result::combine::{self, PassResult, best};
+use bracket_report::result::evidence::{EvidencePlan, Side};
 use bracket_report::result::result_file::{CaseResult, FrictionModel, Predicted, SoFar};
 use std::sync::Arc;
 use std::time::Instant;
@@ -44,6 +47,10 @@ pub struct Share<'a> {
     pub both_within: f64,
     /// Sparsity patterns that passes on the first mesh have found.
     pub patterns: &'a Patterns,
+    /// What is measured in the fields of elastoplastic analysis, for the route of analysis.
+    pub evidence: Option<&'a EvidencePlan>,
+    /// True if no mesh is made that a verdict does not need.
+    pub decide: bool,
 }
 
 /// A mesh to be analysed.
@@ -102,6 +109,13 @@ impl<'a> Passes<'a> {
                 seconds: p.seconds,
             });
         }
+        if let (Some(plan), AnalysisPass::Energy(pass)) = (self.share.evidence, &outcome)
+            && model.analysis == AnalysisKind::Elastoplastic
+        {
+            self.log.stage("estimates for the route of analysis");
+            let side = Side { model: &model, pass };
+            entry.evidence = Some(plan.measure(side, side));
+        }
         let bounds = pass_bounds(&outcome, &entry);
         self.entries.push(PassResult { entry, bounds });
         self.kept.push(Kept { outcome, model, made, index });
@@ -158,6 +172,20 @@ impl<'a> Passes<'a> {
         let best = best(&self.entries).filter(|_| model.bounds == Bounds::Static)?;
         let safe = self.entries[best.frictionless].entry.safe_lower();
         Some(if safe.is_some_and(|l| l >= LOAD) { f64::INFINITY } else { LOAD })
+    }
+
+    /// True if only a verdict is asked for, and no further mesh can change it: strict bounds decide
+    /// the load, or the estimates of two meshes suffice.
+    pub fn decided(&self) -> Result<bool, Diagnostics> {
+        if !self.share.decide {
+            return Ok(false);
+        }
+        let best = self.joined()?;
+        let (lower, upper) = best.factor_bounds();
+        let measured = self.entries.iter().filter_map(|e| e.entry.evidence.as_ref());
+        let measured: Vec<Evidence> = measured.cloned().collect();
+        let suffices = self.share.evidence.is_some_and(|plan| plan.suffices(&measured));
+        Ok(Verdict::of(lower, upper) != Verdict::Undecided || suffices)
     }
 
     /// The entry with the best bounds so far.

@@ -5,10 +5,12 @@ use crate::driver::adaptive::Begun;
 use crate::driver::case::Case;
 use crate::driver::limits::Limits;
 use crate::driver::passes::{Share, lost};
+use crate::driver::setup::RunSetup;
 use bracket_base::diag::Diagnostics;
 use bracket_engine::model::AnalysisKind;
 use bracket_engine::solve::Patterns;
 use bracket_report::console::log::Log;
+use bracket_report::result::evidence::EvidencePlan;
 use std::sync::Arc;
 
 /// Part of a case's share of the time that both bounds on the first mesh may be forecast to take. A
@@ -30,6 +32,10 @@ pub struct Queue<'a, 'r> {
     coarser: &'static str,
     limits: &'a Limits,
     log: &'a Arc<Log>,
+    /// What is measured for the route of analysis.
+    evidence: Option<&'a EvidencePlan>,
+    /// Whether only a verdict is asked for.
+    decide: bool,
     /// No case was analysed before.
     first: bool,
 }
@@ -39,12 +45,14 @@ impl<'a, 'r> Queue<'a, 'r> {
     pub fn new(
         cases: Vec<Case<'r>>,
         patterns: &'a Patterns,
-        coarser: &'static str,
+        setup: &'a RunSetup,
         limits: &'a Limits,
         log: &'a Arc<Log>,
     ) -> Self {
+        let (coarser, evidence) = (setup.refinement.coarser, setup.evidence.as_ref());
+        let decide = setup.decide;
         let places = cases.into_iter().map(|c| Place::Waiting(Box::new(c))).collect();
-        Self { places, patterns, coarser, limits, log, first: true }
+        Self { places, patterns, coarser, limits, log, evidence, decide, first: true }
     }
 
     /// Computes the lower bound of every limit analysis of a load case on the first mesh; `time`:
@@ -101,10 +109,18 @@ impl<'a, 'r> Queue<'a, 'r> {
 
     /// Analyses a waiting case on the first mesh.
     fn begin(&mut self, i: usize, both_within: f64) -> Result<&Begun<'a, 'r>, Diagnostics> {
-        let share = Share { until: f64::INFINITY, both_within, patterns: self.patterns };
         let place = &mut self.places[i];
         if let Place::Waiting(case) = std::mem::replace(place, Place::Taken) {
             let first = std::mem::take(&mut self.first);
+            // an elastic analysis has no part in a verdict by analysis
+            let decide = self.decide && case.model.analysis != AnalysisKind::Elastic;
+            let share = Share {
+                until: f64::INFINITY,
+                both_within,
+                patterns: self.patterns,
+                evidence: self.evidence,
+                decide,
+            };
             let begun = Begun::new(*case, first, share, self.coarser, self.limits, self.log)?;
             *place = Place::Begun(Box::new(begun));
         }

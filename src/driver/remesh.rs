@@ -10,14 +10,13 @@ use bracket_engine::mesh::gmsh::Until;
 use bracket_engine::mesh::mmg::Remesher;
 use bracket_engine::mesh::size_field::{Edges, FILLING, SizeField};
 use bracket_engine::mesh::{TetMesh, bisect, quality};
-use bracket_engine::model::AnalysisKind;
 use bracket_engine::model::AnalysisModel;
 use bracket_engine::model::file::{ModelFile, Nodes};
 use bracket_engine::model::resolve::resolve;
 use bracket_engine::refine::optimum::Design;
 use bracket_joint::assembly::Joint;
 use bracket_joint::meshing::joint::{MeshOptions, mesh_joint};
-use bracket_joint::model_file;
+use bracket_joint::model_file::{self, Asked};
 use bracket_report::console::log::Log;
 use bracket_report::document::table::Table;
 use std::time::{Duration, Instant};
@@ -81,8 +80,7 @@ pub type Places<'a> = &'a dyn Fn(&str) -> Place;
 pub struct ByMap<'a> {
     joint: &'a Joint,
     options: MeshOptions,
-    case: String,
-    kind: AnalysisKind,
+    asked: Asked,
     coulomb_estimate: bool,
     place: Places<'a>,
     mesh: TetMesh,
@@ -97,7 +95,7 @@ impl<'a> ByMap<'a> {
     pub fn new(
         joint: &'a Joint,
         options: MeshOptions,
-        (case, kind): (String, AnalysisKind),
+        asked: Asked,
         place: Places<'a>,
         mesh: TetMesh,
     ) -> Self {
@@ -105,8 +103,7 @@ impl<'a> ByMap<'a> {
         Self {
             joint,
             options,
-            case,
-            kind,
+            asked,
             coulomb_estimate: false,
             place,
             mesh,
@@ -161,8 +158,7 @@ impl<'a> Remesh<'a> for ByMap<'a> {
             &meshed.mesh,
             &meshed.symmetry_used,
             "mesh.msh",
-            &self.case,
-            self.kind,
+            &self.asked,
         );
         file.symmetry = meshed.copies;
         file.coulomb_estimate = self.coulomb_estimate;

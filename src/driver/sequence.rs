@@ -155,8 +155,12 @@ impl Passes<'_> {
         best_gap: f64,
         part: f64,
     ) -> Result<Refined, Diagnostics> {
-        // the gap of a bound's own track may exceed the target when that of the bracket does not
-        if best_gap <= adapt.target_gap {
+        if self.decided()? {
+            return Ok(Refined::Stop(Stop::Decided));
+        }
+        // the gap of a bound's own track may exceed the target when that of the bracket does not;
+        // two meshes for a verdict are made whatever the gap
+        if best_gap <= adapt.target_gap && !self.share.decide {
             return Ok(Refined::Stop(Stop::Target));
         }
         let Sequence { track, remesher, last, .. } = sequence;
@@ -175,9 +179,14 @@ impl Passes<'_> {
         };
         let realised = |wanted: &[f64]| remesher.realised(wanted, &estimate.directions);
         let own_gap = if track.bounds == Bounds::Both { best_gap } else { present.gap };
-        let (choice, curve) = plan::next(&track.steps, own_gap, adapt, &budget, &mut |most| {
-            estimate.curve(most, &realised)
-        });
+        let (choice, curve) = if self.share.decide && track.bounds == Bounds::Both {
+            let curve = estimate.curve(SECOND * present.tets as f64, &realised);
+            (second(&present, &budget, adapt, track.steps.len()), Some(curve))
+        } else {
+            plan::next(&track.steps, own_gap, adapt, &budget, &mut |most| {
+                estimate.curve(most, &realised)
+            })
+        };
         let p = match (choice, &curve) {
             (Next::Refine(p), Some(_)) => p,
             (Next::Stop(why), _) => return Ok(Refined::Stop(why)),
@@ -234,6 +243,25 @@ impl Passes<'_> {
             self.entries.len()
         ));
         Ok(Refined::Failed)
+    }
+}
+
+/// Growth of the number of tets from one mesh to the next where a verdict asks for two meshes whose
+/// estimates agree, and not for a narrow bracket.
+const SECOND: f64 = 1.3;
+/// Exponent of the time of a pass in its number of tets, the largest that was found.
+const TIME_EXPONENT: f64 = 2.0;
+
+/// The next mesh of such a pair.
+fn second(present: &Step, budget: &Budget, adapt: &plan::Limits, passes: usize) -> Next {
+    let tets = SECOND * present.tets as f64;
+    let seconds = present.seconds * SECOND.powf(TIME_EXPONENT);
+    let gap = present.gap;
+    match () {
+        _ if passes >= adapt.max_passes as usize => Next::Stop(Stop::Passes),
+        _ if tets > adapt.max_macro_tets as f64 => Next::Stop(Stop::Tets),
+        _ if seconds > budget.seconds => Next::Stop(Stop::Time),
+        () => Next::Refine(Prediction { tets, gap, ideal_gap: gap, seconds }),
     }
 }
 

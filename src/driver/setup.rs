@@ -5,6 +5,7 @@ use bracket_base::words::Text;
 use bracket_engine::refine::plan;
 use bracket_joint::assembly::BoltLine;
 use bracket_joint::spec::polygon::PolygonSpec;
+use bracket_report::result::evidence::EvidencePlan;
 
 /// What the cases of a run share.
 #[derive(Clone, Debug, Default)]
@@ -17,6 +18,10 @@ pub struct RunSetup {
     pub mirror: Vec<usize>,
     /// Positions of the bolts.
     pub bolts: Vec<BoltLine>,
+    /// What is measured for the route of analysis in elastoplastic analysis with elastic bolts.
+    pub evidence: Option<EvidencePlan>,
+    /// Whether only a verdict is asked for: no mesh and no analysis that it does not need.
+    pub decide: bool,
     /// The requested polygon.
     pub polygon: Option<PolygonSpec>,
     /// How far the meshes are refined.

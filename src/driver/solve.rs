@@ -4,6 +4,7 @@ use crate::driver::adaptive::Adapted;
 use crate::driver::case::{Case, not_analysed, refuse_idle, stems};
 use crate::driver::limits::Limits;
 use crate::driver::pass_entry::lower_stress;
+use crate::driver::passes::Kept;
 use crate::driver::polygon::Directions;
 use crate::driver::queue::Queue;
 use crate::driver::setup::RunSetup;
@@ -11,12 +12,15 @@ use crate::driver::solved::{Models, RunSink, Solved, SolvedCase};
 use bracket_base::diag::Diagnostics;
 use bracket_base::say;
 use bracket_base::words::Text;
+use bracket_codes::route::Evidence;
 use bracket_codes::verdict::Verdict;
+use bracket_engine::analysis::dispatch::AnalysisPass;
 use bracket_engine::certify::faces::contact_faces;
-use bracket_engine::model::AnalysisModel;
+use bracket_engine::model::{AnalysisKind, AnalysisModel};
 use bracket_engine::solve::Patterns;
 use bracket_report::console::log::Log;
 use bracket_report::markdown::report_data::ModelTraits;
+use bracket_report::result::evidence::Side;
 use bracket_report::result::forces::static_forces;
 use bracket_report::result::preload::mark_halved;
 use bracket_report::result::result_file::{CaseResult, ResultFile};
@@ -39,16 +43,26 @@ pub fn solve(
     let traits = ModelTraits { facets: true, symmetry: symmetry > 1, ..ModelTraits::default() };
     let mut solved = Solved { result, models: Models { traits, notes: Vec::new() } };
     let stems = stems(&cases);
+    let cases_asked: Vec<(String, AnalysisKind)> =
+        cases.iter().map(|c| (c.name.clone(), c.model.analysis)).collect();
     let mut directions = Directions::among(&cases, setup.polygon.as_ref());
     // the first mesh is the same for all cases
     let patterns = Patterns::default();
     let kept: Vec<_> = cases.iter().map(|c| (c.model_file.clone(), c.direction)).collect();
-    let mut queue = Queue::new(cases, &patterns, setup.refinement.coarser, limits, log);
+    let mut queue = Queue::new(cases, &patterns, setup, limits, log);
     if let Some(time) = limits.time {
         queue.lower_bounds(time)?;
         queue.upper_bounds()?;
     }
     for (i, (model_file, direction)) in kept.into_iter().enumerate() {
+        if setup.decide && refused(&solved.result.cases, &cases_asked[i]) {
+            log.line(format!(
+                "{}: limit analysis refuses the load, so that {} analysis has no answer",
+                cases_asked[i].0,
+                cases_asked[i].1.word()
+            ));
+            continue;
+        }
         if limits.interrupt.asked() && i > 0 && queue.untouched(i) {
             solved.result.warnings.push(not_analysed(&asked[i..]));
             break;
@@ -62,7 +76,7 @@ pub fn solve(
             .time
             .map_or(f64::INFINITY, |t| now + (t - now).max(0.0) / (asked.len() - i) as f64);
         let mut adapted = begun.end(until, &setup.refinement, limits)?;
-        complete(&mut adapted, setup);
+        complete(&mut adapted, setup, log);
         let (stem, alone) = (stems[i].as_str(), asked.len() == 1);
         let case = SolvedCase { adapted: &adapted, stem, model_file: &model_file, alone };
         sink.solved(&case, setup)?;
@@ -78,9 +92,16 @@ pub fn solve(
     Ok(solved)
 }
 
+/// Whether limit analysis has proved that a load cannot be carried, so that elastoplastic analysis
+/// of it has no answer: there is no equilibrium.
+pub fn refused(solved: &[CaseResult], (name, kind): &(String, AnalysisKind)) -> bool {
+    let above = |c: &CaseResult| c.factor_bounds().1.is_some_and(|u| u < 1.0);
+    *kind == AnalysisKind::Elastoplastic && solved.iter().any(|c| c.name == *name && above(c))
+}
+
 /// Adds to the entry of a case what its fields show: a warning if a program did not fit into the
 /// memory, preloads of halved bolts, and the forces of the static field.
-fn complete(adapted: &mut Adapted, setup: &RunSetup) {
+fn complete(adapted: &mut Adapted, setup: &RunSetup, log: &Log) {
     let RunSetup { mirror, bolts, .. } = setup;
     let Adapted { entry, upper, lower, .. } = adapted;
     if upper.outcome.runs().iter().any(|(_, run)| run.refusal.is_some()) {
@@ -96,6 +117,28 @@ fn complete(adapted: &mut Adapted, setup: &RunSetup) {
     let forces =
         stress.map(|(stress, factor)| static_forces(&best.model, stress, factor, bolts, mirror));
     entry.static_forces = forces;
+    if let (Some(plan), Some([upper, lower])) = (&setup.evidence, sides(upper, best))
+        && entry.analysis == AnalysisKind::Elastoplastic
+    {
+        // from the fields that are stored
+        entry.evidence = Some(plan.measure(upper, lower));
+        let meshes: Vec<Evidence> =
+            entry.evidence_before.iter().chain(&entry.evidence).cloned().collect();
+        // where another step is open they change nothing
+        if plan.suffices(&meshes) {
+            log.stage("critical factors of buckling");
+            entry.critical = plan.critical(upper, lower);
+        }
+    }
+}
+
+/// The passes of both bounds of an energy.
+fn sides<'a>(upper: &'a Kept, lower: &'a Kept) -> Option<[Side<'a>; 2]> {
+    let side = |kept: &'a Kept| match &kept.outcome {
+        AnalysisPass::Energy(pass) => Some(Side { model: &kept.model, pass }),
+        AnalysisPass::Factor(_) => None,
+    };
+    Some([side(upper)?, side(lower)?])
 }
 
 /// The warning about the analyses that ended without any bound.

@@ -12,21 +12,25 @@ use bracket_engine::model::file::ModelFile;
 use bracket_engine::model::resolve::resolve;
 use bracket_joint::assembly::assembly::SymmetryPlane;
 use bracket_joint::meshing::joint::{JointMesh, MeshOptions};
-use bracket_joint::model_file;
+use bracket_joint::model_file::{self, Asked};
 use bracket_joint::spec::polygon::PolygonSpec;
 use bracket_report::result::file_names::stem_of;
 
 /// A load case of a spec under one kind of analysis.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AskedCase {
-    /// Name of the load case.
-    pub name: String,
-    /// Kind of analysis.
-    pub kind: AnalysisKind,
+    /// The load case and the kind of analysis.
+    pub of: Asked,
     /// True if an earlier kind of analysis has the same load case.
     pub again: bool,
     /// For a direction of the polygon: both actions in the units of its axes.
     pub direction: Option<[f64; 2]>,
+}
+
+/// A load case of a spec under a kind of analysis.
+fn asked(input: &SpecFile, name: &str, kind: AnalysisKind) -> Asked {
+    let elastic_bolts = input.elastic_bolts(kind);
+    Asked { elastic_bolts, ..Asked::new(name, kind) }
 }
 
 /// The load cases under each kind of analysis, then the directions of `polygon`, in the order in
@@ -40,9 +44,8 @@ pub fn asked_cases(
     let of_polygon = |name: &String| loads.iter().any(|l| l.of_polygon && l.name == *name);
     let names = model_file::cases(&input.joint.assembly);
     let of_name = |name: &String| {
-        let of_kind = |(k, kind): (usize, &AnalysisKind)| AskedCase {
-            name: name.clone(),
-            kind: *kind,
+        let of_kind = |(k, &kind): (usize, &AnalysisKind)| AskedCase {
+            of: asked(input, name, kind),
             again: k > 0,
             direction: None,
         };
@@ -50,8 +53,7 @@ pub fn asked_cases(
     };
     let directions = polygon.map_or(Vec::new(), PolygonSpec::directions);
     let directions = directions.into_iter().map(|d| AskedCase {
-        name: d.case,
-        kind: AnalysisKind::Limit,
+        of: Asked::new(d.case, AnalysisKind::Limit),
         again: false,
         direction: Some(d.unit),
     });
@@ -72,11 +74,10 @@ impl AskedCase {
             mesh,
             symmetry_used,
             "mesh.msh",
-            &self.name,
-            self.kind,
+            &self.of,
         );
         let estimates = input.spec.value.analysis.coulomb_estimate && self.direction.is_none();
-        ModelFile { coulomb_estimate: estimates && self.kind == AnalysisKind::Limit, ..file }
+        ModelFile { coulomb_estimate: estimates && self.of.kind == AnalysisKind::Limit, ..file }
     }
 }
 
@@ -97,10 +98,10 @@ pub fn cases<'a>(
         let file_name = if i == 0 {
             "model.yaml".into()
         } else {
-            format!("model_{}.yaml", stem_of(&asked.name, asked.kind, asked.again))
+            format!("model_{}.yaml", stem_of(&asked.of.case, asked.of.kind, asked.again))
         };
         Ok(Case {
-            name: asked.name,
+            name: asked.of.case,
             model,
             model_file: (file_name, file),
             remesh: None,
@@ -126,8 +127,8 @@ pub fn give_remesh<'a>(
     place: Places<'a>,
 ) {
     for case in cases.iter_mut().filter(|c| c.direction.is_none()) {
-        let kind = (case.name.clone(), case.model.analysis);
-        let by_map = ByMap::new(&input.joint, options.clone(), kind, place, meshed.mesh.clone());
+        let asked = asked(input, &case.name, case.model.analysis);
+        let by_map = ByMap::new(&input.joint, options.clone(), asked, place, meshed.mesh.clone());
         case.remesh = Some(Box::new(by_map.estimating(case.model.coulomb_estimate)));
     }
 }

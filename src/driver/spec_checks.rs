@@ -30,9 +30,8 @@ pub fn check_loads(
 /// The kinds of analysis that the spec requests, each once.
 pub fn analysis_kinds(input: &SpecFile) -> Result<Vec<AnalysisKind>, Diagnostics> {
     let place = |path: &str| input.spec.index.place(path);
-    let kinds = &input.spec.value.analysis.kind.0;
     let mut wanted = Vec::new();
-    for &kind in kinds {
+    for kind in input.kinds() {
         if wanted.contains(&kind) {
             let mut d =
                 Diagnostic::input("spec/value", "`analysis.kind` names the same kind twice")
@@ -45,15 +44,17 @@ pub fn analysis_kinds(input: &SpecFile) -> Result<Vec<AnalysisKind>, Diagnostics
     Ok(wanted)
 }
 
-/// Refuses preload together with yielding bodies, which is not supported yet.
+/// Refuses preload together with yielding bolts, which is not supported yet.
 fn check_preload(input: &SpecFile, kinds: &[AnalysisKind]) -> Result<(), Diagnostics> {
-    if input.joint.assembly.preloads.is_empty() || !kinds.contains(&AnalysisKind::Elastoplastic) {
+    let asked = kinds.contains(&AnalysisKind::Elastoplastic);
+    let elastic = input.elastic_bolts(AnalysisKind::Elastoplastic);
+    if input.joint.assembly.preloads.is_empty() || !asked || elastic {
         return Ok(());
     }
     let message =
         "preload in an elastic, perfectly plastic analysis is not available yet in this version";
-    let help = "take `kind: elastic`, where the preload acts, or `limit`, where it drops out; or \
-                `preload: none`";
+    let help = "take `kind: elastic`, where the preload acts, or `limit`, where it drops out; \
+                `preload: none`; or `bolts: elastic`, where it drops out";
     let mut d = Diagnostic::input("model/unavailable", message).help(help);
     d.place = input.spec.index.place("bolts.preload");
     Err(d.into())

@@ -1,9 +1,11 @@
 //! Reads a connection spec from its file, with its catalogue and its joint.
 
+use crate::driver::demands::demands;
 use bracket_base::diag::{Diagnostic, Diagnostics};
 use bracket_base::text_file;
 use bracket_base::yaml::{self, Parsed};
-use bracket_codes::design_code;
+use bracket_codes::{Check, design_code, joint_checks};
+use bracket_engine::model::AnalysisKind;
 use bracket_joint::assembly::template_file::{Templates, stored_name};
 use bracket_joint::assembly::{Joint, LoadedTemplate};
 use bracket_joint::catalog::{Catalog, CatalogError};
@@ -24,6 +26,8 @@ pub struct SpecFile {
     pub catalog: Catalog,
     /// The texts of the user's own templates, in the order in which they extend each other.
     pub templates: Vec<String>,
+    /// Whether the run makes what a verdict by analysis needs, and no more.
+    pub decide: bool,
 }
 
 /// Folder inside a result folder with the templates and tables of the user, so that `verify` can
@@ -33,6 +37,25 @@ const STORED: &str = "input";
 const STORED_TABLES: &str = "catalog";
 
 impl SpecFile {
+    /// The kinds of analysis to run.
+    pub fn kinds(&self) -> Vec<AnalysisKind> {
+        self.spec.value.analysis.kinds(self.decide)
+    }
+
+    /// The kinds that stand for one in place of those of the spec: limit analysis brings what a
+    /// verdict needs.
+    pub fn kinds_for(&self, kind: AnalysisKind) -> Vec<AnalysisKind> {
+        match kind {
+            AnalysisKind::Limit if self.decide => vec![kind, AnalysisKind::Elastoplastic],
+            _ => vec![kind],
+        }
+    }
+
+    /// Whether the bolts of this kind of analysis stay elastic although plates yield.
+    pub fn elastic_bolts(&self, kind: AnalysisKind) -> bool {
+        self.spec.value.analysis.elastic_bolts(kind, self.decide)
+    }
+
     /// Writes the user's own templates and tables into a result folder.
     pub fn store(&self, folder: &ResultFolder) -> Result<(), Diagnostics> {
         for (i, text) in self.templates.iter().enumerate() {
@@ -111,7 +134,18 @@ fn with_templates(
     let template = LoadedTemplate::read(&spec, templates)?;
     let joint = design_code::build_from(&spec, &template, &catalog)?;
     let templates = template.own_texts().to_vec();
-    Ok(SpecFile { text: text.into(), spec, joint, catalog, templates })
+    let decide = spec.value.analysis.decide.unwrap_or_else(|| lacks_method(&spec.value, &joint));
+    Ok(SpecFile { text: text.into(), spec, joint, catalog, templates, decide })
+}
+
+/// Whether a limit analysis is asked for of loads for which the code has no method.
+fn lacks_method(spec: &ConnectionSpec, joint: &Joint) -> bool {
+    let asked = spec.analysis.kind.0.contains(&AnalysisKind::Limit);
+    let without = || match joint.facts {
+        None => true,
+        Some(_) => joint_checks(joint).checks.iter().any(Check::is_without_method),
+    };
+    asked && !demands(&spec.loads).is_empty() && without()
 }
 
 /// True for a text that a program wrote as JSON.

@@ -19,6 +19,7 @@ use crate::driver::spec_input::SpecInput;
 use bracket_base::diag::{Diagnostic, Diagnostics};
 use bracket_base::yaml;
 use bracket_codes::HandChecks;
+use bracket_codes::route::RouteFacts;
 use bracket_codes::verdict::Verdict;
 use bracket_engine::mesh::gmsh::Mesher;
 use bracket_engine::model::AnalysisKind;
@@ -28,6 +29,7 @@ use bracket_joint::meshing::joint::{JointMesh, MeshOptions};
 use bracket_joint::spec::polygon::PolygonSpec;
 use bracket_report::console::log::Log;
 use bracket_report::markdown::report_data::GivenActions;
+use bracket_report::result::evidence::EvidencePlan;
 use bracket_report::result::result_file::CaseResult;
 use std::path::Path;
 use std::sync::Arc;
@@ -121,7 +123,7 @@ impl<'s> SpecRun<'s> {
     ) -> Result<Self, Diagnostics> {
         overrides.extent.check()?;
         let kinds = match overrides.kind {
-            Some(kind) => vec![kind],
+            Some(kind) => input.kinds_for(kind),
             None => analysis_kinds(&input)?,
         };
         check_input(&input, &kinds)?;
@@ -173,7 +175,8 @@ impl<'s> SpecRun<'s> {
                 self.analyse(mesher, place, sink, log)?
             }
         };
-        let judged = solved.judge(&self.checks, &self.demands);
+        let facts = RouteFacts::of(&self.input.joint);
+        let judged = solved.judge(&self.checks, Some(&facts), &self.demands);
         Ok(Ran { input: self.input, checks: self.checks, judged, mesher })
     }
 
@@ -234,6 +237,10 @@ impl<'s> SpecRun<'s> {
             warnings: self.checks.notes.clone(),
             mirror: meshed.symmetry_used.iter().map(|p| p.axis).collect(),
             bolts: input.joint.bolts.clone(),
+            evidence: input
+                .elastic_bolts(AnalysisKind::Elastoplastic)
+                .then(|| EvidencePlan::new(&input.joint, &meshed.symmetry_used)),
+            decide: input.decide,
             polygon: polygon.cloned(),
             refinement: Refinement {
                 adapt: Some(plan::Limits {
@@ -255,7 +262,7 @@ impl<'s> SpecRun<'s> {
         let mut solved = unanalysed(&self.input, &self.checks, symmetry)?;
         let result = &mut solved.result;
         let asked = asked_cases(&self.input, &self.kinds, self.polygon());
-        result.asked = asked.into_iter().map(|c| c.name).collect();
+        result.asked = asked.into_iter().map(|c| c.of.case).collect();
         result.warnings.push(not_analysed(&result.asked));
         result.warnings.push(faults.first().message.clone().into());
         Ok(solved)

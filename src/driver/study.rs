@@ -288,7 +288,13 @@ fn study(
                 let meshes = if level.is_none() { Meshes::Adaptive } else { Meshes::Uniform };
                 // a mesh that does not fit into the memory is skipped
                 let patterns = Patterns::default();
-                let share = Share { until, both_within: f64::INFINITY, patterns: &patterns };
+                let share = Share {
+                    until,
+                    both_within: f64::INFINITY,
+                    patterns: &patterns,
+                    evidence: None,
+                    decide: false,
+                };
                 let begun = Begun::new(case, true, share, refinement.coarser, limits, log);
                 match begun.and_then(|b| b.end(until, &refinement, limits)) {
                     Ok(done) => rows.extend(study_rows(meshes, solver_name(*solver), &done.entry)),

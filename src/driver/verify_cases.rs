@@ -5,6 +5,7 @@ use crate::driver::case::not_analysed;
 use crate::driver::input_hash::{checked_hash, spec_hash};
 use crate::driver::meshing::Extent;
 use crate::driver::overrides::{COMMAND_LINE, KIND, SIZE_FACTOR};
+use crate::driver::solve::refused;
 use crate::driver::spec_cases::{AskedCase, asked_cases};
 use crate::driver::spec_checks::analysis_kinds;
 use crate::driver::spec_file::SpecFile;
@@ -53,10 +54,13 @@ impl<'a> Asked<'a> {
         let word = option(KIND);
         let kinds = match word {
             // a word of no kind leaves no case, which the comparison refutes
-            Some(ref word) => KINDS.into_iter().filter(|k| k.word() == word).collect(),
+            Some(ref word) => {
+                let kind = KINDS.into_iter().find(|k| k.word() == word);
+                kind.map_or_else(Vec::new, |kind| spec.kinds_for(kind))
+            }
             None => analysis_kinds(spec)?,
         };
-        let limit = word.is_none() || kinds == [AnalysisKind::Limit];
+        let limit = word.is_none() || kinds.first() == Some(&AnalysisKind::Limit);
         let polygon = spec.spec.value.polygon.as_ref().filter(|_| limit);
         let cases = asked_cases(spec, &kinds, polygon);
         let size_factor = option(SIZE_FACTOR).and_then(|f| f.parse().ok()).unwrap_or(1.0);
@@ -112,15 +116,21 @@ fn of_run(
     let mut pair = |given: &Value, found: &Value, name: &str| {
         out.extend(first_difference(given, found, name));
     };
-    let names: Vec<&String> = asked.cases.iter().map(|c| &c.name).collect();
+    let names: Vec<&String> = asked.cases.iter().map(|c| &c.of.case).collect();
     pair(&json!(result.asked), &json!(names), "asked");
-    let count = result.cases.len().min(asked.cases.len());
+    // what a run leaves out that asks for a verdict alone
+    let decide = spec.decide;
+    let of = |c: &&AskedCase| (c.of.case.clone(), c.of.kind);
+    let made: Vec<&AskedCase> =
+        asked.cases.iter().filter(|c| !(decide && refused(&result.cases, &of(c)))).collect();
+    let count = result.cases.len().min(made.len());
     let entries: Vec<_> = result.cases.iter().map(|c| (&c.name, c.analysis)).collect();
-    let wanted: Vec<_> = asked.cases[..count].iter().map(|c| (&c.name, c.kind)).collect();
+    let wanted: Vec<_> = made[..count].iter().map(|c| (&c.of.case, c.of.kind)).collect();
     pair(&json!(entries), &json!(wanted), "cases: name and analysis");
     pair(&json!(result.symmetry), &json!(scene.copies()), "symmetry");
-    if count < asked.cases.len() {
-        let missing: Vec<String> = names[count..].iter().map(|n| n.to_string()).collect();
+    if let Some(next) = made.get(count) {
+        let first = asked.cases.iter().position(|c| std::ptr::eq(c, *next)).unwrap_or(0);
+        let missing: Vec<String> = names[first..].iter().map(|n| n.to_string()).collect();
         if !result.warnings.contains(&not_analysed(&missing)) {
             out.push(format!("`cases` lacks {}, and no warning says why", missing.join(", ")));
         }
@@ -129,7 +139,8 @@ fn of_run(
     let mut meshes = Meshes::new(&scene);
     for (i, case) in result.cases.iter().enumerate() {
         let stem = entry_stem(&result.cases[..i], case);
-        let of_case = asked.cases.iter().find(|c| c.name == case.name && c.kind == case.analysis);
+        let of_case =
+            asked.cases.iter().find(|c| c.of.case == case.name && c.of.kind == case.analysis);
         let Some(of_case) = of_case else { continue };
         match meshes.models_differ(folder, &stem, of_case, spec) {
             Ok(found) => out.extend(found),
@@ -160,9 +171,9 @@ fn polygon_differences(result: &ResultFile, asked: &Asked<'_>) -> Vec<String> {
         let unit = ActionValue::of(action, size);
         json!({"action": action.word(), "unit": unit})
     });
-    let analysed = |c: &&AskedCase| result.cases.iter().any(|r| r.name == c.name);
+    let analysed = |c: &&AskedCase| result.cases.iter().any(|r| r.name == c.of.case);
     let directions = asked.cases.iter().filter(|c| c.direction.is_some()).filter(analysed);
-    let directions: Vec<_> = directions.map(|c| (&c.name, c.direction)).collect();
+    let directions: Vec<_> = directions.map(|c| (&c.of.case, c.direction)).collect();
     let given: Vec<_> = claimed.points.iter().map(|p| (&p.case, p.direction)).collect();
     let pairs = [
         ("polygon.end", json!(claimed.end), json!(spec.end)),

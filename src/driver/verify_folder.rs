@@ -8,9 +8,12 @@ use crate::driver::verify_model::of_model;
 use crate::driver::verify_spec::of_spec;
 use bracket_base::diag::{Diagnostic, Diagnostics};
 use bracket_base::yaml;
+use bracket_engine::model::AnalysisKind;
 use bracket_engine::model::file::ModelFile;
+use bracket_joint::assembly::assembly::SymmetryPlane;
 use bracket_report::markdown::report_data::{REPORT_DATA_FILE, ReportData};
 use bracket_report::result::digests::{self, DIGESTS_FILE, Digests};
+use bracket_report::result::evidence::EvidencePlan;
 use bracket_report::result::file_names::entry_stem;
 use bracket_report::result::result_file::{RESULT_FILE, ResultFile};
 use bracket_report::result::verify::{self, Finding, Reference};
@@ -20,12 +23,13 @@ use std::path::{Component, Path};
 
 /// Keys of `result.json` whose values no file of a result proves, as `docs/results.md` lists them.
 /// `[]` stands for every entry of a list; the keys below a listed one are recorded too.
-pub const RECORDED: [&str; 12] = [
+pub const RECORDED: [&str; 13] = [
     "tool.version",
     "warnings",
     "cases[].warnings",
     "cases[].coulomb_estimate",
     "cases[].fixed_point",
+    "cases[].evidence_before",
     "cases[].history[].kinematic",
     "cases[].history[].static",
     "cases[].history[].static_frictionless",
@@ -84,7 +88,11 @@ pub fn verify_folder(folder: &Path) -> Result<Verified, Diagnostics> {
         Input::Model(..) => Some(Reference::default()),
         Input::Spec(spec, _) => {
             let (bolts, mirror) = (spec.joint.bolts.clone(), mirror(spec, &result));
-            Some(Reference { bolts, mirror })
+            let planes: Vec<SymmetryPlane> =
+                mirror.iter().map(|&axis| SymmetryPlane { axis }).collect();
+            let measured = spec.elastic_bolts(AnalysisKind::Elastoplastic);
+            let evidence = measured.then(|| EvidencePlan::new(&spec.joint, &planes));
+            Some(Reference { bolts, mirror, evidence })
         }
         Input::Lost(_) => None,
     };

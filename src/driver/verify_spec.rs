@@ -6,6 +6,7 @@ use crate::driver::judge::judged;
 use crate::driver::spec_context::spec_checks;
 use crate::driver::spec_file::SpecFile;
 use bracket_codes::HandChecks;
+use bracket_codes::route::RouteFacts;
 use bracket_report::result::result_file::ResultFile;
 use bracket_report::result::verify::first_difference;
 use serde_json::{Value, json};
@@ -13,7 +14,8 @@ use serde_json::{Value, json};
 /// Differences of a result of a spec.
 pub fn of_spec(result: &ResultFile, input: &SpecFile) -> Vec<String> {
     let checks = spec_checks(input);
-    let again = judged(result.clone(), &checks, &demands(&input.spec.value.loads));
+    let facts = RouteFacts::of(&input.joint);
+    let again = judged(result.clone(), &checks, Some(&facts), &demands(&input.spec.value.loads));
     let mut out = compared(result, &again);
     out.extend(warnings_missing(result, &checks));
     out

@@ -228,6 +228,32 @@ def to_column(r, catalogue, spec, template):
     return beam
 
 
+def to_web(r, catalogue, spec):
+    """A beam on the web of a column, between its root fillets."""
+    def room(column):
+        return column["h"] - 2 * column["tf"] - 2 * column["r"]
+
+    pairs = [
+        (column, beam)
+        for column in catalogue.profiles
+        for beam in catalogue.profiles
+        if room(column) > beam["b"] + 1
+    ]
+    column, beam = r.choice(pairs)
+    spec["members"] = {
+        "column": {"profile": column["name"], "steel": steel(r, catalogue)},
+        "beam": {"profile": beam["name"], "steel": steel(r, catalogue)},
+    }
+    width = mm(r.uniform(beam["b"], min(room(column), 2 * beam["b"] + 200)))
+    spec["plate"] = {"thickness": mm(r.uniform(6, 40)), "width": width}
+    web = beam["tw"] + 2 * beam["r"]
+    bolt, gauge, _ = fitting(r, catalogue, lambda f, c: web + 2 * c, lambda f, c: width - 2 * c)
+    spec["bolts"] = {"size": bolt_name(bolt), "gauge": gauge}
+    end_plate(r, spec, beam, bolt, beam["tf"])
+    spec["parameters"] = flags(r, ["flange_weld", "web_weld"])
+    return beam
+
+
 def extras(r, spec, given, beam, column, bolt, gauges):
     """Further parts of the beam-to-column joint."""
     _, corner = hexagon(bolt)
@@ -282,6 +308,8 @@ def draw(r, catalogue):
         section = splice(r, catalogue, spec)
     elif name == "t_stub":
         section = tees(r, catalogue, spec)
+    elif name == "minor_axis_end_plate":
+        section = to_web(r, catalogue, spec)
     else:
         section = to_column(r, catalogue, spec, name)
     common(r, catalogue, spec)

@@ -121,7 +121,9 @@ def analyse(case, spec, r):
     # one load case: a run is long
     first = spec["loads"][0]["name"]
     spec["loads"] = [load for load in spec["loads"] if load["name"] == first]
-    spec["analysis"] = {"kind": kind, "time_limit": "60 s"}
+    # what a verdict by analysis needs takes longest: of small joints only
+    decide = kind == "limit" and spec["template"] == "t_stub" and r.random() < 0.5
+    spec["analysis"] = {"kind": kind, "decide": decide, "time_limit": "60 s"}
     found, outcome = one(case, "joint", spec, factor)
     if not found or outcome.code == 2:
         return

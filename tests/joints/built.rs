@@ -13,7 +13,7 @@ use bracket::meshing::joint::{MeshOptions, mesh_joint};
 use bracket::model::AnalysisKind;
 use bracket::model::file::ModelFile;
 use bracket::model::resolve::resolve;
-use bracket::model_file::{cases, model_file};
+use bracket::model_file::{Asked, cases, model_file};
 use bracket::spec::ConnectionSpec;
 use bracket::yaml;
 use std::path::Path;
@@ -36,7 +36,8 @@ pub fn model(joint: &Joint, factor: f64, full: bool, kind: AnalysisKind) -> (Mod
     let m = mesh_joint(&joint.assembly, &options, &mut |_| {}).unwrap_or_else(|e| panic!("{e:#?}"));
     let case = &cases(&joint.assembly)[0];
     let (assembly, strengths) = (&joint.assembly, design_strengths(joint));
-    let file = model_file(assembly, &strengths, &m.mesh, &m.symmetry_used, "mesh.msh", case, kind);
+    let asked = Asked::new(case, kind);
+    let file = model_file(assembly, &strengths, &m.mesh, &m.symmetry_used, "mesh.msh", &asked);
     (file, m.mesh)
 }
 

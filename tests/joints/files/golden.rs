@@ -77,6 +77,9 @@ fn case(name: &str) -> CaseResult {
         load_displacement: Some([0.181_53, 0.190_246]),
         load_displacement_at_least: None,
         static_forces: None,
+        evidence: None,
+        evidence_before: Vec::new(),
+        critical: None,
         joint_stiffness: None,
         certificate: Some(Certificate {
             strict: true,
@@ -181,6 +184,7 @@ fn result() -> ResultFile {
                      1993-1-8:2005 Table 3.3)"
                 .into(),
             governing: None,
+            steps: Vec::new(),
         }),
         ..ResultFile::new("0123456789abcdef", 4, Verdict::NotOk)
     }

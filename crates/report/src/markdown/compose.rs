@@ -13,8 +13,8 @@ use crate::markdown::title::title_block;
 use crate::markdown::warnings::warnings;
 use crate::markdown::yielding::yielding;
 use crate::markdown::{
-    component_method, demand, forces, hand_checks, input, method, polygon, stiffness, summary,
-    verdict,
+    component_method, demand, forces, hand_checks, input, method, polygon, route, stiffness,
+    summary, verdict,
 };
 use crate::words::Words;
 use bracket_base::diag::visible;
@@ -42,6 +42,7 @@ pub fn report_markdown(data: &ReportData, words: &Words) -> String {
     if data.result.cases.is_empty() {
         doc.paragraph("By the code's checks alone: no analysis was run.");
     }
+    route::section(doc, &data.result);
     polygon::section(doc, &data.result);
     for picture in &data.pictures {
         doc.picture(picture);

@@ -16,6 +16,7 @@ pub mod method;
 pub mod polygon;
 pub mod preload;
 pub mod report_data;
+pub mod route;
 pub mod schedule;
 pub mod stiffness;
 pub mod summary;

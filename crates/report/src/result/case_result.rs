@@ -8,6 +8,7 @@ use crate::result::quantity::{FrictionModel, LoadSize, Quantity, RawBracket, Upp
 use bracket_base::math::vec3;
 use bracket_base::say;
 use bracket_base::words::Text;
+use bracket_codes::route::{CriticalFactors, Evidence};
 use bracket_codes::verdict::Verdict;
 use bracket_codes::{HandChecks, JointStiffness};
 use bracket_engine::analysis::cone_shift::FixedPointRun;
@@ -72,6 +73,15 @@ pub struct CaseResult {
     /// Forces of the bolts and between the parts of a joint, from the stress of the lower bound.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub static_forces: Option<StaticForces>,
+    /// Estimates for the route of analysis, from the fields that are stored.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub evidence: Option<Evidence>,
+    /// The same from the meshes before, whose fields are not stored.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub evidence_before: Vec<Evidence>,
+    /// Critical factors of linear buckling, for the route of analysis.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub critical: Option<CriticalFactors>,
     /// Elastic analysis of a joint under one moment: the bracket of its initial stiffness.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub joint_stiffness: Option<JointStiffness>,
@@ -334,6 +344,7 @@ impl Demand {
             actions,
             component_method,
             brittle,
+            steps: Vec::new(),
         }
     }
 }

@@ -1,6 +1,7 @@
 //! The demand of a load case, and the verdict on it.
 
 use bracket_base::words::Text;
+use bracket_codes::route::RouteStep;
 use bracket_codes::verdict::{Route, Verdict};
 use bracket_codes::{Comparison, Judgement};
 use bracket_joint::spec::loads::Action;
@@ -28,6 +29,9 @@ pub struct Demand {
     /// Reason why no lower bound decides: no rule of rotation capacity is satisfied.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub brittle: Option<Text>,
+    /// The steps of the route of analysis.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub steps: Vec<RouteStep>,
 }
 
 impl Demand {
@@ -35,6 +39,7 @@ impl Demand {
     pub fn judged(&mut self, judgement: &Judgement) {
         (self.by_code, self.verdict) = (judgement.by_code, judgement.verdict);
         self.route = judgement.route;
+        self.steps.clone_from(&judgement.steps);
     }
 }
 

@@ -352,6 +352,9 @@ pub fn case_result(
         load_displacement,
         load_displacement_at_least,
         static_forces: None,
+        evidence: None,
+        evidence_before: Vec::new(),
+        critical: None,
         joint_stiffness: None,
         certificate: certificate(pass),
         history: vec![HistoryRow {

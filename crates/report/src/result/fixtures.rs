@@ -29,6 +29,9 @@ pub(crate) fn case() -> CaseResult {
         load_displacement: None,
         load_displacement_at_least: None,
         static_forces: None,
+        evidence: None,
+        evidence_before: Vec::new(),
+        critical: None,
         joint_stiffness: None,
         certificate: Some(Certificate {
             strict: true,

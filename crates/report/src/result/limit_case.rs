@@ -296,6 +296,9 @@ pub fn limit_case_result(
         load_displacement: None,
         load_displacement_at_least: None,
         static_forces: None,
+        evidence: None,
+        evidence_before: Vec::new(),
+        critical: None,
         joint_stiffness: None,
         certificate,
         history: vec![HistoryRow {

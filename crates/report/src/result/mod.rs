@@ -7,6 +7,7 @@ pub mod combine;
 pub mod demand;
 pub mod digests;
 pub mod energy_case;
+pub mod evidence;
 pub mod fields;
 pub mod file_names;
 #[cfg(test)]

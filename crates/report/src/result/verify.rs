@@ -9,6 +9,7 @@ mod finding;
 mod grids;
 mod history;
 mod json_difference;
+mod measured;
 
 use crate::result::combine::{PassResult, join};
 use crate::result::energy_case::energy_bounds;
@@ -19,9 +20,10 @@ use crate::result::result_file::CaseResult;
 use crate::result::result_file::FrictionModel;
 use crate::result::result_file::ResultFile;
 use bracket_base::diag::Diagnostics;
+use bracket_engine::analysis::energy_pass::EnergyPass;
 use bracket_engine::certify::{FactorBracket, UpperFactor};
-use bracket_engine::model::AnalysisKind;
 use bracket_engine::model::resolve::load_model;
+use bracket_engine::model::{AnalysisKind, AnalysisModel};
 use case_files::CaseFiles;
 pub use case_files::read;
 pub use derived::Reference;
@@ -30,6 +32,7 @@ use differences::derived_differences;
 pub use finding::Finding;
 use history::{MeshSizes, history_differences};
 pub use json_difference::first_difference;
+use measured::measured_differences;
 use std::path::Path;
 
 /// The outcome of a verification.
@@ -87,6 +90,7 @@ fn verify_case(
     let mut findings = Vec::new();
     let mut found: Option<PassResult> = None;
     let (mut mechanism, mut carried) = (None, None);
+    let mut energies: Vec<(AnalysisModel, EnergyPass)> = Vec::new();
     let sides = match &other {
         None => vec![(&model, [true, true, here])],
         Some(other) => vec![(&model, [true, false, false]), (other, [false, true, here])],
@@ -114,7 +118,9 @@ fn verify_case(
             _ => {
                 let (new, entry, pass) = files.energies(&mut refuted)?;
                 let bounds = energy_bounds(&pass);
-                carried = pass.stress.map(|s| (model.clone(), s, 1.0)).or(carried);
+                let stress = pass.stress.clone();
+                carried = stress.map(|s| (model.clone(), s, 1.0)).or(carried);
+                energies.push((model.clone(), pass));
                 (new, PassResult { entry, bounds })
             }
         };
@@ -143,6 +149,8 @@ fn verify_case(
         found.entry.frictionless = entry.frictionless;
     }
     let Some(PassResult { mut entry, .. }) = found else { return Ok((findings, (refuted, None))) };
+    let measured = measured_differences(case, &energies, reference);
+    refuted.extend(measured.map(|what| format!("{}: {what}", case.name)));
     if let Some(Reference { mirror, .. }) = reference {
         mark_halved(&mut entry.preload, other.as_ref().unwrap_or(&model), mirror);
     }

@@ -23,7 +23,7 @@ use crate::markdown::warnings::all_warnings;
 use crate::markdown::words::analysis_word;
 use crate::markdown::yielding::yielding;
 use crate::markdown::{
-    certificate, component_method, forces, history, input, method, polygon, stiffness,
+    certificate, component_method, forces, history, input, method, polygon, route, stiffness,
 };
 use crate::result::result_file::{CaseResult, Quantity, ResultFile, Upper};
 use crate::summary::{SummaryRow, Tone, summary_rows, used_words};
@@ -285,6 +285,7 @@ fn titled<const N: usize>(all: [(&'static str, Vec<Block>); N], words: &Words) -
 
 fn analysis_sections(data: &ReportData, words: &Words) -> Vec<Section> {
     let cases = || data.result.cases.iter();
+    let route = section(words, |doc| route::steps(doc, &data.result));
     let polygon = section(words, |doc| polygon::section(doc, &data.result));
     let collapse = section(words, |doc| {
         cases().for_each(|c| {
@@ -304,6 +305,7 @@ fn analysis_sections(data: &ReportData, words: &Words) -> Vec<Section> {
         certificate = section(words, |doc| certificate::certificates(doc, data));
     }
     let all = [
+        ("Route of analysis", route),
         ("Capacity for two actions", polygon),
         ("Mechanism and yielding", collapse),
         ("Mesh and history", meshes),

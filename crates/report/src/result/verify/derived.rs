@@ -4,6 +4,7 @@
 use super::json_difference::first_difference;
 use crate::result::case_result::CaseResult;
 use crate::result::demand::ActionValue;
+use crate::result::evidence::EvidencePlan;
 use crate::result::forces::{ContactForce, StaticForces, static_forces};
 use crate::result::polygon::{CapacityPolygon, Point};
 use crate::result::quantity::LoadSize;
@@ -27,6 +28,8 @@ pub struct Reference {
     pub bolts: Vec<BoltLine>,
     /// Axes of the planes of symmetry in use; the planes pass through the origin.
     pub mirror: Vec<usize>,
+    /// What is measured in elastoplastic analysis with elastic bolts.
+    pub evidence: Option<EvidencePlan>,
 }
 
 /// The results that the files of a case prove.
@@ -193,7 +196,7 @@ fn stiffness_difference(claimed: &CaseResult, found: &CaseResult) -> Option<Stri
 fn force_differences(
     claimed: &CaseResult,
     proved: &Proved,
-    Reference { bolts: lines, mirror }: &Reference,
+    Reference { bolts: lines, mirror, .. }: &Reference,
 ) -> Vec<String> {
     let carried = proved.stress.as_ref().filter(|_| !lines.is_empty());
     let (given, (model, stress, factor)) = match (&claimed.static_forces, carried) {

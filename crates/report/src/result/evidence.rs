@@ -1,0 +1,243 @@
+//! Estimates for the route of analysis, from the fields of elastoplastic analysis with elastic
+//! bolts on one mesh.
+
+use bracket_base::math::vec3;
+use bracket_codes::route::{
+    BoltSections, CriticalFactors, CriticalMode, Evidence, LARGEST_CRITICAL, PlateStrain,
+    RouteFacts, SectionForce, WeldForce, WeldForces, suffices,
+};
+use bracket_engine::analysis::energy_pass::EnergyPass;
+use bracket_engine::certify::fields::{DisplacementField, StressField};
+use bracket_engine::elements::space::Tet10Space;
+use bracket_engine::estimate::buckling::{BucklingOptions, buckling};
+use bracket_engine::estimate::plate_strain::plate_strains;
+use bracket_engine::estimate::refined::refined;
+use bracket_engine::estimate::section_forces::SectionPlane;
+use bracket_engine::estimate::weld_forces::{WeldBand, line_forces};
+use bracket_engine::model::AnalysisModel;
+use bracket_engine::model::resolve::{MirrorPlane, parities};
+use bracket_joint::assembly::Joint;
+use bracket_joint::assembly::assembly::{Section, Surface, SymmetryPlane, WeldRule};
+use bracket_joint::assembly::sheets::{Sheet, sheets};
+use bracket_joint::meshing::naming::symmetry_face;
+
+/// Number of critical factors that are kept.
+const MODES: usize = 3;
+/// Most tets of a mesh that is made twice as fine for the critical factors.
+const LARGEST: usize = 50_000;
+/// Least length over which the forces of a weld are averaged, beside six throats \[mm\].
+const WELD_LENGTH: f64 = 30.0;
+
+/// What is measured in the fields of a joint.
+#[derive(Clone, Debug)]
+pub struct EvidencePlan {
+    /// The sections of the bolts, each with the direction from head to nut along its normal axis.
+    sections: Vec<(Section, f64)>,
+    /// Plates, flanges and webs.
+    sheets: Vec<Sheet>,
+    /// The fillet welds.
+    welds: Vec<WeldRule>,
+    /// The planes of symmetry in use.
+    symmetry: Vec<SymmetryPlane>,
+    /// The resistances that the estimates are compared with.
+    facts: RouteFacts,
+}
+
+/// A pass with its model.
+#[derive(Clone, Copy, Debug)]
+pub struct Side<'a> {
+    /// The model.
+    pub model: &'a AnalysisModel,
+    /// Its fields.
+    pub pass: &'a EnergyPass,
+}
+
+impl<'a> Side<'a> {
+    fn displacement(self) -> Option<&'a DisplacementField> {
+        self.pass.plastic.as_ref().map(|p| &p.nodes).or(self.pass.displacement.as_ref())
+    }
+}
+
+/// The plane of a section in the mesh of a model; `None` if the bolt is not meshed.
+fn section_plane(section: &Section, model: &AnalysisModel) -> Option<SectionPlane> {
+    let body = model.mesh.bodies.iter().position(|b| *b == section.part)?;
+    let Surface::Plane { axis, at, .. } = section.surface else { return None };
+    Some(SectionPlane { body: u32::try_from(body).ok()?, axis, at })
+}
+
+impl EvidencePlan {
+    /// What is measured in a joint whose mesh uses these planes of symmetry.
+    pub fn new(joint: &Joint, symmetry: &[SymmetryPlane]) -> Self {
+        let assembly = &joint.assembly;
+        let sections = assembly.sections.iter().filter_map(|s| {
+            let grip = assembly.grips.iter().find(|g| g.part == s.part)?;
+            Some((s.clone(), grip.axis.iter().sum::<f64>().signum()))
+        });
+        Self {
+            sections: sections.collect(),
+            sheets: sheets(&joint.content, assembly),
+            welds: assembly.welds.clone(),
+            symmetry: symmetry.to_vec(),
+            facts: RouteFacts::of(joint),
+        }
+    }
+
+    /// Whether the estimates of these meshes need no finer one.
+    pub fn suffices(&self, meshes: &[Evidence]) -> bool {
+        suffices(&self.facts, 1 << self.symmetry.len(), meshes)
+    }
+
+    /// The estimates from the displacement of one pass and the stress of another, or of the same.
+    pub fn measure(&self, upper: Side<'_>, lower: Side<'_>) -> Evidence {
+        Evidence {
+            tets: upper.model.mesh.tets.len(),
+            bolts: self.bolts(upper, lower),
+            plates: self.plates(upper),
+            welds: self.welds(lower.model, lower.pass.stress.as_ref()),
+        }
+    }
+
+    /// The forces in the sections of the meshed bolts, of whole bolts.
+    fn bolts(&self, upper: Side<'_>, lower: Side<'_>) -> Vec<BoltSections> {
+        let space = Tet10Space::new(&upper.model.mesh);
+        let mut out: Vec<BoltSections> = Vec::new();
+        for (section, toward) in &self.sections {
+            let (halved, share) = section.surface.halved_by(&self.symmetry);
+            let whole = |force: [f64; 3]| -> [f64; 3] {
+                let of = |k: usize| match halved.contains(&k) {
+                    true => 0.0,
+                    false => toward * force[k] / share,
+                };
+                std::array::from_fn(of)
+            };
+            let plane = |side: Side<'_>| section_plane(section, side.model);
+            let (Some(above), Some(below)) = (plane(upper), plane(lower)) else { continue };
+            let stress = lower.pass.stress.as_ref();
+            let by_stress = stress.and_then(|s| below.of_stress(lower.model, s)).map(whole);
+            let moved = upper.displacement();
+            let by_displacement =
+                moved.and_then(|u| above.of_displacement(upper.model, &space, u)).map(whole);
+            let force = SectionForce { by_stress, by_displacement };
+            match out.last_mut().filter(|b| b.bolt == section.part) {
+                Some(bolt) => bolt.sections.push(force),
+                None => {
+                    let (bolt, sections) = (section.part.clone(), vec![force]);
+                    out.push(BoltSections { bolt, sections });
+                }
+            }
+        }
+        out
+    }
+
+    /// Mean strains of the meshed plates.
+    fn plates(&self, Side { model, pass }: Side<'_>) -> Vec<PlateStrain> {
+        let Some(field) = &pass.plastic else { return Vec::new() };
+        let meshed = self
+            .sheets
+            .iter()
+            .filter_map(|sheet| Some((sheet, sheet.plate(&model.mesh, &self.symmetry)?)));
+        let (sheets, plates): (Vec<&Sheet>, Vec<_>) = meshed.unzip();
+        let found = plate_strains(model, field, &plates);
+        let of =
+            |(sheet, strain): (&Sheet, bracket_engine::estimate::plate_strain::PlateStrain)| {
+                let (membrane, surface) = (strain.membrane?, strain.surface?);
+                Some(PlateStrain {
+                    part: sheet.part.clone(),
+                    thickness: sheet.thickness(),
+                    membrane: membrane.value,
+                    membrane_at: membrane.at,
+                    surface: surface.value,
+                    surface_at: surface.at,
+                })
+            };
+        sheets.into_iter().zip(found).filter_map(of).collect()
+    }
+
+    /// The critical factors of the loads, on the mesh of both fields and on one twice as fine;
+    /// `None` without both fields on one mesh, or where they were not found.
+    pub fn critical(&self, upper: Side<'_>, lower: Side<'_>) -> Option<CriticalFactors> {
+        let (displacement, stress) = (upper.displacement()?, lower.pass.stress.as_ref()?);
+        let model = lower.model;
+        if model.mesh.tets.len() > LARGEST || model.mesh != upper.model.mesh {
+            return None;
+        }
+        let coarse = self.modes(model, displacement, stress)?;
+        let finer = refined(model, displacement, stress);
+        let fine = self.modes(&finer.model, &finer.displacement, &finer.stress)?;
+        Some(CriticalFactors { coarse, fine })
+    }
+
+    /// The lowest critical factors, of modes that are symmetric or antisymmetric to each plane.
+    fn modes(
+        &self,
+        model: &AnalysisModel,
+        displacement: &DisplacementField,
+        stress: &StressField,
+    ) -> Option<Vec<CriticalMode>> {
+        let plane =
+            |p: &SymmetryPlane| MirrorPlane { support: symmetry_face(p.axis), axis: p.axis };
+        let planes: Vec<MirrorPlane<'_>> = self.symmetry.iter().map(plane).collect();
+        let options = BucklingOptions {
+            modes: MODES,
+            largest: LARGEST_CRITICAL,
+            ..BucklingOptions::default()
+        };
+        let space = Tet10Space::new(&model.mesh);
+        let mut out = Vec::new();
+        for of_parity in parities(model, &planes).ok()? {
+            let found = buckling(&of_parity, displacement, stress, &options).ok()?;
+            out.extend(found.modes.into_iter().map(|m| {
+                let largest = |of: &mut dyn Iterator<Item = f64>| {
+                    of.enumerate().max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or_default()
+                };
+                let (body, share) = largest(&mut m.share_by_body.iter().copied());
+                let (most, _) = largest(&mut m.shape.iter().map(|v| vec3::norm(*v)));
+                let part = model.mesh.bodies.get(body).cloned().unwrap_or_default();
+                CriticalMode { factor: m.factor, part, share, at: space.nodes[most] }
+            }));
+        }
+        out.sort_by(|a: &CriticalMode, b| a.factor.total_cmp(&b.factor));
+        out.truncate(MODES);
+        Some(out)
+    }
+
+    /// The lines of force of the meshed welds.
+    fn welds(&self, model: &AnalysisModel, stress: Option<&StressField>) -> Vec<WeldForces> {
+        let Some(stress) = stress else { return Vec::new() };
+        let bands = self.welds.iter().filter_map(|rule| {
+            let meshed = model.welds.iter().find(|w| w.name == rule.name)?;
+            let Surface::Plane { axis, min, max, .. } = rule.surface else { return None };
+            let size = |k: usize| max[k] - min[k];
+            let off = |k: usize| (size(k) - rule.thickness).abs();
+            let [first, second] = bracket_joint::assembly::part::across(axis);
+            // the plate is as thick as the weld's interface is wide
+            let (along, across) =
+                if off(first) > off(second) { (first, second) } else { (second, first) };
+            let (halved, _) = rule.surface.halved_by(&self.symmetry);
+            let band = WeldBand {
+                faces: meshed.faces.clone(),
+                along: std::array::from_fn(|k| f64::from(u8::from(k == along))),
+                length: (size(along) / 4.0).min((6.0 * rule.throat).max(WELD_LENGTH)),
+                mirrored_along: halved.contains(&along),
+                mirrored_across: halved.contains(&across),
+            };
+            Some((rule, band))
+        });
+        let (rules, bands): (Vec<&WeldRule>, Vec<WeldBand>) = bands.unzip();
+        let found = line_forces(model, stress, &bands);
+        let of = |(rule, segments): (&WeldRule, Vec<_>)| WeldForces {
+            weld: rule.name.clone(),
+            segments: segments
+                .into_iter()
+                .map(|s: bracket_engine::estimate::weld_forces::Segment| WeldForce {
+                    from_to: s.span,
+                    normal: s.normal,
+                    across: s.across,
+                    along: s.along,
+                    couple: s.couple,
+                })
+                .collect(),
+        };
+        rules.into_iter().zip(found).map(of).collect()
+    }
+}
