@@ -147,9 +147,7 @@ fn analysed(result: &ResultFile, facts: Option<&RouteFacts>, case: &String) -> A
     // only limit analysis can carry the loads by a proof; estimates alone are no route
     let steps = limit.zip(facts).map_or_else(Vec::new, |(c, facts)| {
         let measured = entries().find(|c| c.evidence.is_some());
-        let meshes = measured.map_or_else(Vec::new, |c| {
-            c.evidence_before.iter().chain(&c.evidence).cloned().collect()
-        });
+        let meshes = measured.map_or_else(Vec::new, CaseResult::evidence_of_meshes);
         let critical = measured.and_then(|c| c.critical.as_ref());
         let (lower, copies) = (c.factor_bounds().0, result.symmetry as usize);
         route::steps(facts, Found { lower, copies, meshes: &meshes, critical })

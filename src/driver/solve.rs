@@ -12,7 +12,6 @@ use crate::driver::solved::{Models, RunSink, Solved, SolvedCase};
 use bracket_base::diag::Diagnostics;
 use bracket_base::say;
 use bracket_base::words::Text;
-use bracket_codes::route::Evidence;
 use bracket_codes::verdict::Verdict;
 use bracket_engine::analysis::dispatch::AnalysisPass;
 use bracket_engine::certify::faces::contact_faces;
@@ -122,10 +121,8 @@ fn complete(adapted: &mut Adapted, setup: &RunSetup, log: &Log) {
     {
         // from the fields that are stored
         entry.evidence = Some(plan.measure(upper, lower));
-        let meshes: Vec<Evidence> =
-            entry.evidence_before.iter().chain(&entry.evidence).cloned().collect();
         // where another step is open they change nothing
-        if plan.suffices(&meshes) {
+        if plan.suffices(&entry.evidence_of_meshes()) {
             log.stage("critical factors of buckling");
             entry.critical = plan.critical(upper, lower);
         }

@@ -166,10 +166,8 @@ def end_loads(r, section, ends, names):
 ALL_SIX = ["My", "Vz", "N", "Vy", "T", "Mz"]
 
 
-def splice(r, catalogue, spec):
-    beam = r.choice(catalogue.profiles)
-    spec["members"] = {"beam": {"profile": beam["name"], "steel": steel(r, catalogue)}}
-    width = mm(beam["b"] + r.choice([0, 10, r.uniform(0, 120)]))
+def beam_on_plate(r, catalogue, spec, beam, width):
+    """An end plate of this width whose bolts need to keep clear of the beam alone."""
     spec["plate"] = {"thickness": mm(r.uniform(6, 40)), "width": width}
     web = beam["tw"] + 2 * beam["r"]
     bolt, gauge, _ = fitting(r, catalogue, lambda f, c: web + 2 * c, lambda f, c: width - 2 * c)
@@ -177,6 +175,13 @@ def splice(r, catalogue, spec):
     end_plate(r, spec, beam, bolt, beam["tf"])
     spec["parameters"] = flags(r, ["flange_weld", "web_weld"])
     return beam
+
+
+def splice(r, catalogue, spec):
+    beam = r.choice(catalogue.profiles)
+    spec["members"] = {"beam": {"profile": beam["name"], "steel": steel(r, catalogue)}}
+    width = mm(beam["b"] + r.choice([0, 10, r.uniform(0, 120)]))
+    return beam_on_plate(r, catalogue, spec, beam, width)
 
 
 def flags(r, welds):
@@ -245,13 +250,7 @@ def to_web(r, catalogue, spec):
         "beam": {"profile": beam["name"], "steel": steel(r, catalogue)},
     }
     width = mm(r.uniform(beam["b"], min(room(column), 2 * beam["b"] + 200)))
-    spec["plate"] = {"thickness": mm(r.uniform(6, 40)), "width": width}
-    web = beam["tw"] + 2 * beam["r"]
-    bolt, gauge, _ = fitting(r, catalogue, lambda f, c: web + 2 * c, lambda f, c: width - 2 * c)
-    spec["bolts"] = {"size": bolt_name(bolt), "gauge": gauge}
-    end_plate(r, spec, beam, bolt, beam["tf"])
-    spec["parameters"] = flags(r, ["flange_weld", "web_weld"])
-    return beam
+    return beam_on_plate(r, catalogue, spec, beam, width)
 
 
 def extras(r, spec, given, beam, column, bolt, gauges):

@@ -7,7 +7,9 @@
 
 use super::bolt_rows::bolt;
 use crate::check::{Check, CheckId, Topic, Unit, within};
+use crate::eurocode::bolts::is_listed;
 use crate::eurocode::holes::{CLEARANCES, Clearance};
+use crate::eurocode::yielding::STRONGEST;
 use crate::formula::{Derivation, Line, Relation, Traced};
 use crate::subject::{Part, Subject};
 use bracket_base::say;
@@ -15,14 +17,10 @@ use bracket_base::words::Text;
 use bracket_joint::assembly::EndPlate;
 use bracket_joint::strength::Strength;
 
-/// Greatest nominal f_y \[MPa\], EN 1993-1-8:2005 1.1(1): S235 to S460.
-const STRONGEST: f64 = 460.0;
 /// Least thickness \[mm\], EN 1993-1-1:2005 1.1.2(1).
 const THINNEST: f64 = 3.0;
 /// Least thickness of a welded part \[mm\], EN 1993-1-8:2005 4.1(1).
 const THINNEST_WELDED: f64 = 4.0;
-/// f_yb and f_ub of the grades 4.6 to 10.9 \[MPa\], EN 1993-1-8:2005 Table 3.1.
-const BOLTS: [(f64, f64); 2] = [(240.0, 900.0), (400.0, 1000.0)];
 
 /// A part of the joint with its steel.
 struct Piece<'a> {
@@ -131,9 +129,7 @@ fn thicknesses(parts: &[Piece<'_>]) -> Vec<Check> {
 /// A bolt grade stronger or weaker than those of Table 3.1.
 fn bolt_grade(e: &EndPlate) -> Option<Check> {
     let g = &e.grade;
-    let inside = |x: f64, (least, most): (f64, f64)| within(least, x) && within(x, most);
-    let known = inside(g.fyb, BOLTS[0]) && inside(g.fub, BOLTS[1]);
-    (!known).then(|| {
+    (!is_listed(g)).then(|| {
         let why = say!(
             "f_yb = {} and f_ub = {} of {} lie outside the grades 4.6 to 10.9: Table 3.1 does not \
              list them, and Table 3.4 has no α_v",

@@ -1,6 +1,6 @@
 //! Tension and shear of single bolts: EN 1993-1-8:2005 Table 3.4.
 
-use crate::check::CheckId;
+use crate::check::{CheckId, within};
 use crate::formula::{Number, Traced};
 use crate::unit::Unit;
 use crate::worked::Worked;
@@ -76,4 +76,13 @@ pub fn shear_resistance(bolt: &BoltSize, grade: &BoltGrade, gamma_m2: f64) -> Wo
     let id = CheckId::BoltShearResistance;
     Worked::of("EN 1993-1-8:2005 Table 3.4", id, "F_v,Rd", value, Unit::Force)
         .with_symbols([&alpha_v, &a_s])
+}
+
+/// f_yb and f_ub of the grades 4.6 to 10.9 \[MPa\], EN 1993-1-8:2005 Table 3.1.
+const LISTED: [(f64, f64); 2] = [(240.0, 900.0), (400.0, 1000.0)];
+
+/// Whether a grade lies within those of Table 3.1.
+pub fn is_listed(grade: &BoltGrade) -> bool {
+    let inside = |x: f64, (least, most): (f64, f64)| within(least, x) && within(x, most);
+    inside(grade.fyb, LISTED[0]) && inside(grade.fub, LISTED[1])
 }

@@ -5,6 +5,9 @@ use bracket_base::math::vec3::V3;
 use bracket_joint::catalog::IProfile;
 use bracket_joint::strength::{Design, Nominal};
 
+/// Greatest nominal f_y \[MPa\], EN 1993-1-8:2005 1.1(1): S235 to S460.
+pub const STRONGEST: f64 = 460.0;
+
 /// Plastic resistance `S f_y/γ_M`: of an area \[mm²\] in N, of a section modulus \[mm³\] in N mm.
 ///
 /// # Source

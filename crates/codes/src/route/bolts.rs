@@ -8,6 +8,7 @@ use bracket_base::math::vec3::{self, V3};
 use bracket_base::say;
 use bracket_base::words::Text;
 use bracket_joint::assembly::assembly::Grip;
+use bracket_joint::assembly::part::across;
 use bracket_joint::strength::BoltLimits;
 
 const SOURCE: &str = "EN 1993-1-8:2005 2.5(1), 3.12, Table 3.4";
@@ -53,7 +54,7 @@ pub(super) fn bolts(facts: &RouteFacts, evidence: &Evidence, copies: usize) -> R
         Some(u) if step.holds() => {
             let apart = format!("{:.1} %", 100.0 * apart(&u));
             let finding = say!("{}: the two fields differ by {} of the resistance", u.what, apart);
-            RouteStep { uses: step.uses, utilisation: step.utilisation, ..open(finding, NARROW) }
+            step.left_open(finding, NARROW)
         }
         _ => step,
     }
@@ -104,8 +105,7 @@ fn values(grip: &Grip, limits: &BoltLimits, sections: &[V3]) -> Vec<RouteUse> {
             |k: Option<usize>| k.and_then(|k| sections.get(k)).map_or([0.0; 3], |f| parts(*f).1);
         let force = vec3::sub(at(Some(i)), at(i.checked_sub(1)));
         let along = (0..3).find(|&k| grip.axis[k] != 0.0).unwrap_or(0);
-        let axes = (0..3).filter(|&k| k != along);
-        for (k, [negative, positive]) in axes.zip(resistances) {
+        for (k, [negative, positive]) in across(along).into_iter().zip(resistances) {
             for (sign, limit) in [(-1.0, negative), (1.0, positive)] {
                 let way = format!("{}{}", if sign < 0.0 { "-" } else { "+" }, NAMES[k]);
                 let what = say!("{}, bearing on {} toward {}", bolt, &ply.part, way);

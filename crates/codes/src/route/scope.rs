@@ -2,16 +2,14 @@
 
 use super::facts::RouteFacts;
 use super::step::{RouteStep, StepId};
+use crate::eurocode::bolts::is_listed;
 use crate::eurocode::holes::Clearance;
+use crate::eurocode::yielding::STRONGEST;
 use bracket_base::say;
 
 const SOURCE: &str = "EN 1993-1-1:2005 3.2.2, EN 1993-1-8:2005 1.1, Table 3.1";
-/// Greatest nominal f_y \[MPa\], EN 1993-1-8:2005 1.1(1).
-const STRONGEST: f64 = 460.0;
 /// Least f_u/f_y, EN 1993-1-1:2005 3.2.2(1).
 const LEAST_RATIO: f64 = 1.10;
-/// f_yb and f_ub of the grades 4.6 to 10.9 \[MPa\], EN 1993-1-8:2005 Table 3.1.
-const BOLTS: [(f64, f64); 2] = [(240.0, 900.0), (400.0, 1000.0)];
 
 /// The step: every steel is at most S460 and hardens, every bolt is of Table 3.1, every hole has a
 /// bearing resistance on every ply.
@@ -27,10 +25,8 @@ pub(super) fn scope(facts: &RouteFacts) -> RouteStep {
         }
     }
     for (grip, limits) in &facts.bolts {
-        let grade = &grip.grade;
-        let inside = |x: f64, (least, most): (f64, f64)| (least..=most).contains(&x);
-        if !inside(grade.fyb, BOLTS[0]) || !inside(grade.fub, BOLTS[1]) {
-            let finding = say!("the bolt grade {} is not in Table 3.1", &grade.grade);
+        if !is_listed(&grip.grade) {
+            let finding = say!("the bolt grade {} is not in Table 3.1", &grip.grade.grade);
             return open(finding, "a grade of Table 3.1");
         }
         if Clearance::of(&grip.size, grip.hole) == Clearance::Beyond {

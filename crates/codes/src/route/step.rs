@@ -156,6 +156,12 @@ impl RouteStep {
         Self { utilisation, uses, ..step }
     }
 
+    /// The step with its values, left open although they are within their limits.
+    #[must_use]
+    pub fn left_open(self, finding: Text, next: impl Into<Text>) -> Self {
+        Self { state: StepState::Open, finding, next: Some(next.into()), ..self }
+    }
+
     /// Whether it holds.
     pub fn holds(&self) -> bool {
         self.state != StepState::Open

@@ -47,7 +47,7 @@ pub(super) fn strain(meshes: &[Evidence]) -> RouteStep {
     let step = RouteStep::of_uses(StepId::Strain, StepState::Estimated, uses, SOURCE, next);
     if step.holds() && widest > SPREAD {
         let finding = say!("the last two meshes differ by a strain of {} %", percent(widest));
-        return RouteStep { uses: step.uses, utilisation: step.utilisation, ..open(finding) };
+        return step.left_open(finding, NARROW);
     }
     step
 }

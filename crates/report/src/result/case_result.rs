@@ -260,6 +260,11 @@ impl CaseResult {
         self.certificate.is_some_and(|c| c.strict)
     }
 
+    /// The estimates for the route of analysis, mesh after mesh.
+    pub fn evidence_of_meshes(&self) -> Vec<Evidence> {
+        self.evidence_before.iter().chain(&self.evidence).cloned().collect()
+    }
+
     /// The strict lower bound without friction beside an answer with associated friction.
     pub fn safe_lower(&self) -> Option<f64> {
         (self.problem == FrictionModel::Associated)
