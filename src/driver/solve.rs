@@ -116,11 +116,14 @@ fn complete(adapted: &mut Adapted, setup: &RunSetup, log: &Log) {
     let forces =
         stress.map(|(stress, factor)| static_forces(&best.model, stress, factor, bolts, mirror));
     entry.static_forces = forces;
+    let measured = lower.is_none() && upper.index == entry.evidence_before.len();
     if let (Some(plan), Some([upper, lower])) = (&setup.evidence, sides(upper, best))
         && entry.analysis == AnalysisKind::Elastoplastic
     {
-        // from the fields that are stored
-        entry.evidence = Some(plan.measure(upper, lower));
+        // from the fields that are stored; those of the last pass are measured already
+        if !measured {
+            entry.evidence = Some(plan.measure(upper, lower));
+        }
         // where another step is open they change nothing
         if plan.suffices(&entry.evidence_of_meshes()) {
             log.stage("critical factors of buckling");
