@@ -150,8 +150,7 @@ fn finish(
 ) -> Result<Adapted, Diagnostics> {
     let mut entry = joined(name, &entries)?;
     entry.history = entries.iter().flat_map(|e| rows(&e.entry, entry.is_strict())).collect();
-    let mut measured: Vec<Evidence> =
-        entries.iter().filter_map(|e| e.entry.evidence.clone()).collect();
+    let mut measured = evidence(&entries);
     entry.evidence = measured.pop();
     entry.evidence_before = measured;
     if let Some(last) = entries.last() {
@@ -180,6 +179,14 @@ fn finish(
     let apart = ![b.lower, b.upper].contains(&b.frictionless);
     let frictionless = if apart { Some(take(b.frictionless)?) } else { None };
     Ok(Adapted { entry, upper, lower, frictionless, frictionless_index: b.frictionless })
+}
+
+/// What was measured on the meshes of these passes, in order of their tets.
+pub fn evidence(entries: &[PassResult]) -> Vec<Evidence> {
+    let found = entries.iter().filter_map(|e| e.entry.evidence.clone());
+    let mut measured: Vec<Evidence> = found.collect();
+    measured.sort_by_key(|e| e.tets);
+    measured
 }
 
 /// The rows of a pass in the history of the answer. Beside strict bounds, the numbers of a mesh

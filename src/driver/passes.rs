@@ -1,11 +1,12 @@
 //! The passes of a case: runs both programs on a mesh, keeps the entries of all passes and the
 //! fields of those that are still needed.
 
+use crate::driver::adaptive::evidence;
 use crate::driver::limits::Limits;
 use crate::driver::pass_entry::{pass_bounds, pass_entry};
 use crate::driver::pass_run::{self, Terms, run_pass};
 use bracket_base::diag::{Diagnostic, Diagnostics};
-use bracket_codes::route::Evidence;
+use bracket_codes::route::NextMesh;
 use bracket_codes::verdict::Verdict;
 use bracket_engine::analysis::dispatch::AnalysisPass;
 use bracket_engine::mesh::TetMesh;
@@ -174,18 +175,18 @@ impl<'a> Passes<'a> {
         Some(if safe.is_some_and(|l| l >= LOAD) { f64::INFINITY } else { LOAD })
     }
 
-    /// True if only a verdict is asked for, and no further mesh can change it: strict bounds decide
-    /// the load, or the estimates of two meshes suffice.
-    pub fn decided(&self) -> Result<bool, Diagnostics> {
+    /// What a verdict asks of the next mesh, where only a verdict is asked for: nothing if strict
+    /// bounds decide the load.
+    pub fn for_verdict(&self) -> Result<Option<NextMesh>, Diagnostics> {
         if !self.share.decide {
-            return Ok(false);
+            return Ok(None);
         }
-        let best = self.joined()?;
-        let (lower, upper) = best.factor_bounds();
-        let measured = self.entries.iter().filter_map(|e| e.entry.evidence.as_ref());
-        let measured: Vec<Evidence> = measured.cloned().collect();
-        let suffices = self.share.evidence.is_some_and(|plan| plan.suffices(&measured));
-        Ok(Verdict::of(lower, upper) != Verdict::Undecided || suffices)
+        let (lower, upper) = self.joined()?.factor_bounds();
+        if Verdict::of(lower, upper) != Verdict::Undecided {
+            return Ok(Some(NextMesh::None));
+        }
+        let asked = |plan: &EvidencePlan| plan.next_mesh(&evidence(&self.entries));
+        Ok(Some(self.share.evidence.map_or(NextMesh::Finer, asked)))
     }
 
     /// The entry with the best bounds so far.

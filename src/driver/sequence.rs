@@ -4,10 +4,12 @@ use crate::driver::passes::{Mesh, Passes};
 use crate::driver::remesh::{Made, Remesh};
 use bracket_base::diag::Diagnostics;
 use bracket_base::say;
+use bracket_codes::route::NextMesh;
 use bracket_engine::analysis::memory::room;
 use bracket_engine::analysis::program::Program;
 use bracket_engine::model::AnalysisModel;
 use bracket_engine::model::file::Bounds;
+use bracket_engine::refine::optimum::Design;
 use bracket_engine::refine::plan::{self, Budget, Next, Prediction, Step, Stop};
 use bracket_engine::refine::rates;
 use bracket_engine::refine::track::{self, Track};
@@ -155,7 +157,8 @@ impl Passes<'_> {
         best_gap: f64,
         part: f64,
     ) -> Result<Refined, Diagnostics> {
-        if self.decided()? {
+        let asked = self.for_verdict()?;
+        if let Some(NextMesh::None | NextMesh::Hopeless) = asked {
             return Ok(Refined::Stop(Stop::Decided));
         }
         // the gap of a bound's own track may exceed the target when that of the bracket does not;
@@ -179,9 +182,15 @@ impl Passes<'_> {
         };
         let realised = |wanted: &[f64]| remesher.realised(wanted, &estimate.directions);
         let own_gap = if track.bounds == Bounds::Both { best_gap } else { present.gap };
+        let coarser = asked == Some(NextMesh::Coarser) && track.bounds == Bounds::Both;
         let (choice, curve) = if self.share.decide && track.bounds == Bounds::Both {
-            let curve = estimate.curve(SECOND * present.tets as f64, &realised);
-            (second(&present, &budget, adapt, track.steps.len()), Some(curve))
+            let (growth, seconds) = match coarser {
+                true => (COARSER, COARSER_SECONDS),
+                false => (FINER, FINER.powf(TIME_EXPONENT)),
+            };
+            let curve = estimate.curve(growth.max(1.0) * present.tets as f64, &realised);
+            let asked = Growth { tets: growth, seconds };
+            (for_estimates(&present, asked, &budget, adapt, self.entries.len()), Some(curve))
         } else {
             plan::next(&track.steps, own_gap, adapt, &budget, &mut |most| {
                 estimate.curve(most, &realised)
@@ -210,11 +219,22 @@ impl Passes<'_> {
             about(p.seconds)
         ));
         let order = plan::order(&track.steps, p.tets);
-        let design = estimate.with_tets(&curve, order, &realised);
+        let design = match coarser {
+            // as the present one in all places, so that only the size of its elements differs
+            true => Design {
+                wanted: vec![COARSER; present.tets],
+                directions: estimate.directions.clone(),
+                tets: order,
+                gap: 1.0,
+            },
+            false => estimate.with_tets(&curve, order, &realised),
+        };
         let p = Prediction { tets: design.tets * p.tets / order, ..p };
+        // strains are those of the displacement
+        let bounds = if coarser { Bounds::Kinematic } else { track.bounds };
         let mesh = match remesher.remesh(&design, self.share.until - log.seconds(), log) {
             Ok(Made { model, mesh, file, quality, seconds }) => Mesh {
-                model: AnalysisModel { bounds: track.bounds, ..model },
+                model: AnalysisModel { bounds, ..model },
                 made: Some((mesh, file, quality)),
                 seconds: Some(seconds),
                 predicted: Some(Prediction { gap: of_bracket, ..p }),
@@ -235,6 +255,9 @@ impl Passes<'_> {
             return Ok(Refined::Stop(Stop::SameMesh));
         }
         self.run(mesh)?;
+        if coarser {
+            return Ok(Refined::Mesh);
+        }
         if self.count(sequence, Some(p)) {
             return Ok(Refined::Mesh);
         }
@@ -246,16 +269,32 @@ impl Passes<'_> {
     }
 }
 
-/// Growth of the number of tets from one mesh to the next where a verdict asks for two meshes whose
+/// Tets of the next mesh over those of the present one, where a verdict asks for two meshes whose
 /// estimates agree, and not for a narrow bracket.
-const SECOND: f64 = 1.3;
+const FINER: f64 = 1.3;
+/// The same for a coarser mesh to compare with.
+const COARSER: f64 = 0.5;
+/// Time of the kinematic program alone on it, over that of both programs on the present mesh.
+const COARSER_SECONDS: f64 = 0.3;
 /// Exponent of the time of a pass in its number of tets, the largest that was found.
 const TIME_EXPONENT: f64 = 2.0;
 
-/// The next mesh of such a pair.
-fn second(present: &Step, budget: &Budget, adapt: &plan::Limits, passes: usize) -> Next {
-    let tets = SECOND * present.tets as f64;
-    let seconds = present.seconds * SECOND.powf(TIME_EXPONENT);
+/// Numbers of the next mesh over those of the present one.
+struct Growth {
+    tets: f64,
+    seconds: f64,
+}
+
+/// The next mesh for estimates.
+fn for_estimates(
+    present: &Step,
+    growth: Growth,
+    budget: &Budget,
+    adapt: &plan::Limits,
+    passes: usize,
+) -> Next {
+    let tets = growth.tets * present.tets as f64;
+    let seconds = growth.seconds * present.seconds;
     let gap = present.gap;
     match () {
         _ if passes >= adapt.max_passes as usize => Next::Stop(Stop::Passes),

@@ -12,6 +12,7 @@ use crate::driver::solved::{Models, RunSink, Solved, SolvedCase};
 use bracket_base::diag::Diagnostics;
 use bracket_base::say;
 use bracket_base::words::Text;
+use bracket_codes::route::NextMesh;
 use bracket_codes::verdict::Verdict;
 use bracket_engine::analysis::dispatch::AnalysisPass;
 use bracket_engine::certify::faces::contact_faces;
@@ -116,16 +117,18 @@ fn complete(adapted: &mut Adapted, setup: &RunSetup, log: &Log) {
     let forces =
         stress.map(|(stress, factor)| static_forces(&best.model, stress, factor, bolts, mirror));
     entry.static_forces = forces;
-    let measured = lower.is_none() && upper.index == entry.evidence_before.len();
+    // the two passes are one, and the last in order of tets
+    let tets = entry.evidence.as_ref().map(|e| e.tets);
+    let measured = lower.is_none() && tets == Some(upper.model.mesh.tets.len());
     if let (Some(plan), Some([upper, lower])) = (&setup.evidence, sides(upper, best))
         && entry.analysis == AnalysisKind::Elastoplastic
     {
-        // from the fields that are stored; those of the last pass are measured already
+        // from the fields that are stored; those of the finest mesh are measured already
         if !measured {
             entry.evidence = Some(plan.measure(upper, lower));
         }
         // where another step is open they change nothing
-        if plan.suffices(&entry.evidence_of_meshes()) {
+        if plan.next_mesh(&entry.evidence_of_meshes()) == NextMesh::None {
             log.stage("critical factors of buckling");
             entry.critical = plan.critical(upper, lower);
         }

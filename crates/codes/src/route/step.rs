@@ -162,6 +162,17 @@ impl RouteStep {
         Self { state: StepState::Open, finding, next: Some(next.into()), ..self }
     }
 
+    /// Whether a value is above its limit even with the smaller number of the two that it rests
+    /// on: it is the larger one plus their difference.
+    pub fn is_surely_exceeded(&self) -> bool {
+        self.uses.iter().any(|u| u.value - 2.0 * u.spread.unwrap_or(0.0) > u.limit)
+    }
+
+    /// Whether its values are known and within their limits, whether or not they have converged.
+    pub fn is_within(&self) -> bool {
+        self.utilisation.is_some_and(|u| u <= 1.0)
+    }
+
     /// Whether it holds.
     pub fn holds(&self) -> bool {
         self.state != StepState::Open

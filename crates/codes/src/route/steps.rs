@@ -37,17 +37,35 @@ pub fn steps(facts: &RouteFacts, found: Found<'_>) -> Vec<RouteStep> {
         out.push(RouteStep::open(StepId::Bolts, finding.into(), source, next));
         return out;
     };
-    out.push(bolts(facts, last, found.copies));
+    out.push(bolts(facts, found.meshes, found.copies));
     out.push(strain(found.meshes));
     out.push(stability(facts, found.critical, found.lower));
     out.push(welds(facts, last, found.copies));
     out
 }
 
-/// Whether the estimates of these meshes need no finer one: bolts and strains hold.
-pub fn suffices(facts: &RouteFacts, copies: usize, meshes: &[Evidence]) -> bool {
-    let last = meshes.last().filter(|_| meshes.len() > 1);
-    last.is_some_and(|last| bolts(facts, last, copies).holds() && strain(meshes).holds())
+/// What the estimates of a load case ask of the next mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NextMesh {
+    /// Nothing: bolts and strains hold.
+    None,
+    /// Nothing: a value is above its limit whichever of its two fields or meshes is right.
+    Hopeless,
+    /// Strains to compare with: a coarser mesh has them too.
+    Coarser,
+    /// Estimates that agree better, or all of them.
+    Finer,
+}
+
+/// What the estimates of these meshes, in order of their tets, ask of the next one.
+pub fn next_mesh(facts: &RouteFacts, copies: usize, meshes: &[Evidence]) -> NextMesh {
+    let (bolts, strain) = (bolts(facts, meshes, copies), strain(meshes));
+    match () {
+        _ if bolts.is_surely_exceeded() || strain.is_surely_exceeded() => NextMesh::Hopeless,
+        _ if bolts.holds() && strain.holds() => NextMesh::None,
+        _ if meshes.len() == 1 && bolts.is_within() => NextMesh::Coarser,
+        () => NextMesh::Finer,
+    }
 }
 
 /// Whether the route is complete and every step holds.

@@ -118,6 +118,14 @@ fn each_step_opens_alone() {
     only_open(found(&pulled, &stable), StepId::Bolts);
     let vague = with(&|e| e.bolts = bolts(&facts, 50e3, 0.0, apart));
     only_open(found(&vague, &stable), StepId::Bolts);
+    // unless the displacement of a coarser mesh gives the same forces; the difference is added still
+    let mut converged = vague.clone();
+    let moved = 0.025 * limits.tension;
+    converged[0].bolts = bolts(&facts, 50e3 + moved, 0.0, apart);
+    let steps_of = steps(&facts, found(&converged, &stable));
+    assert!(is_complete(&steps_of), "{steps_of:#?}");
+    converged[0].bolts = bolts(&facts, 50e3 + 2.0 * moved, 0.0, apart);
+    only_open(found(&converged, &stable), StepId::Bolts);
     let half = with(&|e| e.bolts[0].sections[0].by_displacement = None);
     only_open(found(&half, &stable), StepId::Bolts);
     let lacking = with(&|e| _ = e.bolts.pop());
@@ -174,4 +182,27 @@ fn the_route_stays_in_the_range_of_the_rules() {
     assert_eq!(change(&|f| f.bolts[0].0.grade.fub = 1200.0), StepState::Open);
     assert_eq!(change(&|f| f.bolts[0].0.hole = 60.0), StepState::Open);
     assert_eq!(change(&|f| f.bolts[0].1.bearing[0] = None), StepState::Open);
+}
+
+/// The next mesh: none for a load that nothing carries, a coarser one to compare with, a finer one
+/// where the fields are too far apart.
+#[test]
+fn what_the_next_mesh_is_for() {
+    let facts = RouteFacts::of(&joint(SPEC));
+    let good = meshes(&facts);
+    let (_, limits) = &facts.bolts[0];
+    let pulled = |tension: f64, apart: f64| {
+        let mut meshes = good.clone();
+        meshes[1].bolts = bolts(&facts, tension * limits.tension, 0.0, apart * limits.tension);
+        meshes
+    };
+    let next = |meshes: &[Evidence]| next_mesh(&facts, 1, meshes);
+    assert_eq!(next(&good), NextMesh::None);
+    assert_eq!(next(&[]), NextMesh::Finer);
+    assert_eq!(next(&good[1..]), NextMesh::Coarser);
+    assert_eq!(next(&pulled(0.5, 0.06)[1..]), NextMesh::Coarser);
+    // above the resistance with the difference of the fields, below it without
+    assert_eq!(next(&pulled(0.98, 0.03)[1..]), NextMesh::Finer);
+    assert_eq!(next(&pulled(0.98, 0.03)), NextMesh::Finer);
+    assert_eq!(next(&pulled(1.05, 0.02)[1..]), NextMesh::Hopeless);
 }

@@ -3,8 +3,8 @@
 
 use bracket_base::math::vec3;
 use bracket_codes::route::{
-    BoltSections, CriticalFactors, CriticalMode, Evidence, LARGEST_CRITICAL, PlateStrain,
-    RouteFacts, SectionForce, WeldForce, WeldForces, suffices,
+    BoltSections, CriticalFactors, CriticalMode, Evidence, LARGEST_CRITICAL, NextMesh, PlateStrain,
+    RouteFacts, SectionForce, WeldForce, WeldForces, next_mesh,
 };
 use bracket_engine::analysis::energy_pass::EnergyPass;
 use bracket_engine::certify::fields::{DisplacementField, StressField};
@@ -82,9 +82,9 @@ impl EvidencePlan {
         }
     }
 
-    /// Whether the estimates of these meshes need no finer one.
-    pub fn suffices(&self, meshes: &[Evidence]) -> bool {
-        suffices(&self.facts, 1 << self.symmetry.len(), meshes)
+    /// What the estimates of these meshes, in order of their tets, ask of the next one.
+    pub fn next_mesh(&self, meshes: &[Evidence]) -> NextMesh {
+        next_mesh(&self.facts, 1 << self.symmetry.len(), meshes)
     }
 
     /// The estimates from the displacement of one pass and the stress of another, or of the same.
