@@ -76,6 +76,7 @@ def run_arm(arm, options, program, scratch, seconds):
         case = Case(program, arm.NAME, options.seed, index, folder)
         case.state, case.scratch = state, Path(scratch)
         case.checkout = CHECKOUT
+        case.seconds = seconds
         try:
             arm.run(case)
         except Exception as error:  # the campaign goes on; its own fault counts as one

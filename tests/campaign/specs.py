@@ -16,6 +16,8 @@ REDRAW = {
 }
 VERDICT = {"ok": 0, "not_ok": 1, "undecided": 3}
 DRAWS = 60
+# `time_limit` of a run [s]
+SHORTEST, LONGEST = 15, 60
 # mesh, model, fields and pictures of a coarse joint
 REST_MIB = 150
 
@@ -123,7 +125,9 @@ def analyse(case, spec, r):
     spec["loads"] = [load for load in spec["loads"] if load["name"] == first]
     # what a verdict by analysis needs takes longest: of small joints only
     decide = kind == "limit" and spec["template"] == "t_stub" and r.random() < 0.5
-    spec["analysis"] = {"kind": kind, "decide": decide, "time_limit": "60 s"}
+    # at most the time of the arm, so that a campaign of one minute does not take four
+    seconds = round(min(LONGEST, max(SHORTEST, case.seconds)))
+    spec["analysis"] = {"kind": kind, "decide": decide, "time_limit": f"{seconds} s"}
     found, outcome = one(case, "joint", spec, factor)
     if not found or outcome.code == 2:
         return
@@ -162,13 +166,14 @@ def one(case, name, spec, factor, *options):
             case.refused(outcome, False)
         elif outcome.refusal() == "mesher/time":
             # a large joint, or a busy machine
-            case.count("mesh not ready within 60 s")
+            case.count("mesh not ready within the time limit")
         else:
             words = outcome.message()
             case.fault("no result", f"{name}: exit {outcome.code}: {words}")
         return {}, outcome
+    limit = spec["analysis"]["time_limit"]
     if outcome.seconds > 100 * case.program.patience:
-        case.fault("time limit", f"{name}: {outcome.seconds:.0f} s with a limit of 60 s")
+        case.fault("time limit", f"{name}: {outcome.seconds:.0f} s with a limit of {limit}")
     fits(case, outcome, result, name)
     within_forecast(case, name, result)
     case.verify(name, limit=200)
