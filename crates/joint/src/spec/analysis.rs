@@ -62,7 +62,7 @@ pub enum BoltModel {
     #[default]
     Yielding,
     /// They stay elastic, with the stiffness of their stress area: no force is redistributed by
-    /// bolts that yield. Preload drops out.
+    /// bolts that yield. Preload is tightened before the loads act.
     Elastic,
 }
 

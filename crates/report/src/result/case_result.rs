@@ -55,7 +55,7 @@ pub struct CaseResult {
     /// estimate. Under that law one structure may have several load factors; this is one of them.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub coulomb_estimate: Option<f64>,
-    /// The preloaded bolts of an elastic analysis.
+    /// The preloaded bolts of an elastic or elastic, perfectly plastic analysis.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub preload: Vec<PreloadedBolt>,
     /// Coulomb friction: course of the fixed point. In limit analysis it is the fixed point of the
