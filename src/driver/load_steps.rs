@@ -33,23 +33,19 @@ pub fn add_load_steps(
         return Ok(());
     }
     let base = closed(&upper.model, entry);
+    // the steps are of one structure: with the closures of the case
+    let loose = base.preload.iter().any(|p| p.closure.is_none());
     // the mesh of the case, whose matrices have the same patterns at every load
     let patterns = Patterns::default();
-    let mut steps = Vec::new();
+    let (mut steps, mut left_out) = (Vec::new(), Vec::new());
     for (i, &factor) in setup.load_steps.iter().enumerate() {
         if factor == 1.0 {
             steps.push(LoadStep::of_case(entry));
             continue;
         }
-        if limits.interrupt.asked() || log.seconds() >= until {
-            let rest: Vec<f64> =
-                setup.load_steps[i..].iter().copied().filter(|f| *f != 1.0).collect();
-            entry.warnings.push(without_steps(&rest));
-            // the case itself is known
-            if setup.load_steps[i..].contains(&1.0) {
-                steps.push(LoadStep::of_case(entry));
-            }
-            break;
+        if loose || limits.interrupt.asked() || log.seconds() >= until {
+            left_out.push(factor);
+            continue;
         }
         let model = base.at_load_factor(factor);
         log.stage(&format!("load step {factor}"));
@@ -59,6 +55,9 @@ pub fn add_load_steps(
         let found = pass_entry(&pass, &entry.name, &model, None);
         steps.push(LoadStep::of(factor, &found, bolts(setup, &model, &pass)));
         sink.step((stem, i + 1), &model, &pass)?;
+    }
+    if !left_out.is_empty() {
+        entry.warnings.push(without_steps(&left_out));
     }
     add_loads(&mut steps, &base, entry.problem);
     entry.load_steps = steps;

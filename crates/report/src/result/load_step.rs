@@ -118,7 +118,11 @@ fn enclose(steps: &mut [LoadStep], size: f64, from_zero: bool) {
 /// The warning about load steps that the run did not analyse.
 pub fn without_steps(factors: &[f64]) -> Text {
     let each = factors.iter().map(|f| Text::given(bracket_base::diag::number(*f)));
-    say!("the time of the run ended before these load steps: {}", Text::joined(", ", each))
+    say!(
+        "load steps that were not analysed, because the time ended or the bolts could not be \
+         tightened: {}",
+        Text::joined(", ", each)
+    )
 }
 
 #[cfg(test)]
