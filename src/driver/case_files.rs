@@ -8,8 +8,8 @@ use bracket_engine::analysis::dispatch::AnalysisPass;
 use bracket_engine::analysis::limit;
 use bracket_engine::certify::limit_certificate::dissipation_densities;
 use bracket_engine::mesh::msh_write;
-use bracket_engine::model::AnalysisKind;
 use bracket_engine::model::file::ModelFile;
+use bracket_engine::model::{AnalysisKind, AnalysisModel};
 use bracket_report::result::fields::field_files::{
     displacement_grid, lower_grid, shift_grid, stress_grid, velocity_grid, yielding_stress_grid,
 };
@@ -33,7 +33,12 @@ pub fn write_passes(
     let here = frictionless.is_none();
     write_model(upper, first, ["", model, mesh], folder)?;
     let statics = lower.is_none();
-    write_fields(upper, stem, folder, [true, statics, statics && here])?;
+    write_fields(
+        (&upper.outcome, &upper.model),
+        (stem, ""),
+        folder,
+        [true, statics, statics && here],
+    )?;
     // bounds on other meshes: their models are written beside their fields
     for (pass, kind, fields) in [
         (lower.as_ref(), "static", [false, true, here]),
@@ -42,7 +47,7 @@ pub fn write_passes(
         let Some(pass) = pass else { continue };
         let [model, mesh] = ["yaml", "msh"].map(|end| format!("{stem}_{kind}.{end}"));
         write_model(pass, first, ["fields/", &model, &mesh], folder)?;
-        write_fields(pass, stem, folder, fields)?;
+        write_fields((&pass.outcome, &pass.model), (stem, ""), folder, fields)?;
     }
     Ok(())
 }
@@ -70,17 +75,16 @@ fn write_model(
 }
 
 /// Writes the fields of the kinematic and of the static program, and of the static one without
-/// friction, each only if requested.
-fn write_fields(
-    pass: &Kept,
-    stem: &str,
+/// friction, each only if requested; `suffix`: end of the file names of a load step.
+pub fn write_fields(
+    (pass, model): (&AnalysisPass, &AnalysisModel),
+    (stem, suffix): (&str, &str),
     folder: &ResultFolder,
     [kinematic, statics, frictionless]: [bool; 3],
 ) -> Result<(), Diagnostics> {
-    let Kept { outcome: pass, model, .. } = pass;
     let write = |kind: &str, grid: VtuGrid| -> Result<(), Diagnostics> {
         let bytes = grid.to_bytes().map_err(Diagnostic::from)?;
-        Ok(folder.write(&format!("fields/{stem}_{kind}.vtu"), &bytes)?)
+        Ok(folder.write(&format!("fields/{stem}_{kind}{suffix}.vtu"), &bytes)?)
     };
     match pass {
         AnalysisPass::Energy(p) => {

@@ -15,6 +15,7 @@ pub mod input_hash;
 pub mod interrupt;
 pub mod judge;
 pub mod limits;
+pub mod load_steps;
 pub mod memory_limit;
 pub mod meshing;
 pub mod overrides;

@@ -1,6 +1,6 @@
 //! The files that a run writes while it solves: mesh, models, fields and pictures of its cases.
 
-use crate::driver::case_files::write_passes;
+use crate::driver::case_files::{write_fields, write_passes};
 use crate::driver::collapse_pictures::collapse_pictures;
 use crate::driver::interrupt::Interrupt;
 use crate::driver::meshing::quality_table;
@@ -12,12 +12,16 @@ use crate::driver::setup::RunSetup;
 use crate::driver::solved::{RunSink, SolvedCase};
 use crate::driver::spec_file::SpecFile;
 use bracket_base::diag::{Diagnostic, Diagnostics};
+use bracket_engine::analysis::dispatch::AnalysisPass;
 use bracket_engine::mesh::msh_write;
+use bracket_engine::model::AnalysisModel;
 use bracket_joint::meshing::joint::JointMesh;
 use bracket_joint::spec::connection::Language;
 use bracket_report::document::picture::PictureRef;
 use bracket_report::document::table::Table;
+use bracket_report::draw::load_steps;
 use bracket_report::page::scene::Scene;
+use bracket_report::result::file_names::step_suffix;
 use bracket_report::result::folder::ResultFolder;
 use bracket_report::words::Words;
 
@@ -67,6 +71,16 @@ impl RunSink for RunFiles<'_> {
         Ok(())
     }
 
+    fn step(
+        &mut self,
+        (stem, number): (&str, usize),
+        model: &AnalysisModel,
+        pass: &AnalysisPass,
+    ) -> Result<(), Diagnostics> {
+        let suffix = step_suffix(number);
+        write_fields((pass, model), (stem, &suffix), self.folder, [true, true, false])
+    }
+
     fn solved(&mut self, case: &SolvedCase<'_>, setup: &RunSetup) -> Result<(), Diagnostics> {
         let SolvedCase { adapted, stem, model_file: (model_name, first), alone } = *case;
         let (entry, upper, folder) = (&adapted.entry, &adapted.upper, self.folder);
@@ -107,6 +121,10 @@ impl RunSink for RunFiles<'_> {
             pictures.extend(deformed_picture(upper, names, (mirror, &self.words), folder)?);
         }
         pictures.extend(maps);
+        if let Some((picture, text)) = load_steps::drawing(entry, stem) {
+            folder.write(&picture.file, text.as_bytes())?;
+            pictures.push(picture);
+        }
         let target = setup.refinement.adapt.map(|a| a.target_gap);
         pictures.extend(convergence(entry, target, (stem, &self.words), folder)?);
         Ok(())

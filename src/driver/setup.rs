@@ -20,6 +20,8 @@ pub struct RunSetup {
     pub bolts: Vec<BoltLine>,
     /// What is measured for the route of analysis in elastoplastic analysis with elastic bolts.
     pub evidence: Option<EvidencePlan>,
+    /// Load factors at which elastoplastic analysis is run as well, rising.
+    pub load_steps: Vec<f64>,
     /// Whether only a verdict is asked for: no mesh and no analysis that it does not need.
     pub decide: bool,
     /// The requested polygon.

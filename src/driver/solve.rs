@@ -3,6 +3,7 @@
 use crate::driver::adaptive::Adapted;
 use crate::driver::case::{Case, not_analysed, refuse_idle, stems};
 use crate::driver::limits::Limits;
+use crate::driver::load_steps::add_load_steps;
 use crate::driver::pass_entry::lower_stress;
 use crate::driver::passes::Kept;
 use crate::driver::polygon::Directions;
@@ -78,6 +79,7 @@ pub fn solve(
         let mut adapted = begun.end(until, &setup.refinement, limits)?;
         complete(&mut adapted, setup, log);
         let (stem, alone) = (stems[i].as_str(), asked.len() == 1);
+        add_load_steps(&mut adapted, (setup, stem), until, limits, sink, log)?;
         let case = SolvedCase { adapted: &adapted, stem, model_file: &model_file, alone };
         sink.solved(&case, setup)?;
         let Adapted { entry, upper, .. } = adapted;

@@ -5,6 +5,8 @@ use crate::driver::setup::RunSetup;
 use crate::driver::spec_file::SpecFile;
 use bracket_base::diag::Diagnostics;
 use bracket_base::words::Text;
+use bracket_engine::analysis::dispatch::AnalysisPass;
+use bracket_engine::model::AnalysisModel;
 use bracket_engine::model::file::ModelFile;
 use bracket_joint::meshing::joint::JointMesh;
 use bracket_report::markdown::report_data::ModelTraits;
@@ -53,6 +55,15 @@ pub trait RunSink {
     /// The mesh of a spec's joint.
     fn meshed(&mut self, input: &SpecFile, mesh: &JointMesh) -> Result<(), Diagnostics>;
 
+    /// A load step of a case, before the case: the stem of its files and the number of the step,
+    /// its model and its pass.
+    fn step(
+        &mut self,
+        of: (&str, usize),
+        model: &AnalysisModel,
+        pass: &AnalysisPass,
+    ) -> Result<(), Diagnostics>;
+
     /// A solved case.
     fn solved(&mut self, case: &SolvedCase<'_>, setup: &RunSetup) -> Result<(), Diagnostics>;
 }
@@ -62,6 +73,15 @@ pub struct NoFiles;
 
 impl RunSink for NoFiles {
     fn meshed(&mut self, _: &SpecFile, _: &JointMesh) -> Result<(), Diagnostics> {
+        Ok(())
+    }
+
+    fn step(
+        &mut self,
+        _: (&str, usize),
+        _: &AnalysisModel,
+        _: &AnalysisPass,
+    ) -> Result<(), Diagnostics> {
         Ok(())
     }
 

@@ -30,7 +30,9 @@ pub struct AskedCase {
 /// A load case of a spec under a kind of analysis.
 fn asked(input: &SpecFile, name: &str, kind: AnalysisKind) -> Asked {
     let elastic_bolts = input.elastic_bolts(kind);
-    Asked { elastic_bolts, ..Asked::new(name, kind) }
+    // the tension that EN 1993-1-8 Table 3.4 limits does not count the preload
+    let preload = !(input.decide && kind == AnalysisKind::Elastoplastic);
+    Asked { elastic_bolts, preload, ..Asked::new(name, kind) }
 }
 
 /// The load cases under each kind of analysis, then the directions of `polygon`, in the order in

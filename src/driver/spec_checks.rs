@@ -44,17 +44,18 @@ pub fn analysis_kinds(input: &SpecFile) -> Result<Vec<AnalysisKind>, Diagnostics
     Ok(wanted)
 }
 
-/// Refuses preload together with yielding bolts, which is not supported yet.
+/// Refuses preload together with yielding bolts: a bolt that yields loses its preload, which a
+/// holonomic law does not follow.
 fn check_preload(input: &SpecFile, kinds: &[AnalysisKind]) -> Result<(), Diagnostics> {
     let asked = kinds.contains(&AnalysisKind::Elastoplastic);
     let elastic = input.elastic_bolts(AnalysisKind::Elastoplastic);
     if input.joint.assembly.preloads.is_empty() || !asked || elastic {
         return Ok(());
     }
-    let message =
-        "preload in an elastic, perfectly plastic analysis is not available yet in this version";
-    let help = "take `kind: elastic`, where the preload acts, or `limit`, where it drops out; \
-                `preload: none`; or `bolts: elastic`, where it drops out";
+    let message = "preloaded bolts that may yield: an elastic, perfectly plastic analysis tightens \
+                   elastic bolts only";
+    let help = "add `bolts: elastic` under `analysis`; or take `preload: none`, `kind: elastic`, \
+                or `limit`, where the preload drops out";
     let mut d = Diagnostic::input("model/unavailable", message).help(help);
     d.place = input.spec.index.place("bolts.preload");
     Err(d.into())

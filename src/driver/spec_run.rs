@@ -240,6 +240,7 @@ impl<'s> SpecRun<'s> {
             evidence: input
                 .elastic_bolts(AnalysisKind::Elastoplastic)
                 .then(|| EvidencePlan::new(&input.joint, &meshed.symmetry_used)),
+            load_steps: asked.load_steps.clone(),
             decide: input.decide,
             polygon: polygon.cloned(),
             refinement: Refinement {

@@ -92,7 +92,8 @@ pub fn verify_folder(folder: &Path) -> Result<Verified, Diagnostics> {
                 mirror.iter().map(|&axis| SymmetryPlane { axis }).collect();
             let measured = spec.elastic_bolts(AnalysisKind::Elastoplastic);
             let evidence = measured.then(|| EvidencePlan::new(&spec.joint, &planes));
-            Some(Reference { bolts, mirror, evidence })
+            let load_steps = spec.spec.value.analysis.load_steps.clone();
+            Some(Reference { bolts, mirror, evidence, load_steps })
         }
         Input::Lost(_) => None,
     };

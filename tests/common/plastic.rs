@@ -45,7 +45,8 @@ pub fn strict_pass(name: &str, model: &AnalysisModel, pass: &EnergyPass) -> [f64
     let [low, up] = [b.lower().value(), b.upper().value()];
     println!("{name}: [{low:.10e}, {up:.10e}], gap {:.3e}; {:?}", b.gap(), b.lower().certificate());
     let c = pass.contributions.as_ref().unwrap();
-    let scale = low.abs().max(up.abs());
+    let strain = b.lower().certificate().strain_energy.unwrap_or(0.0);
+    let scale = low.abs().max(up.abs()).max(strain * f64::from(model.symmetry));
     let (sum, gap) = (c.total() * f64::from(model.symmetry), up - low);
     assert!((sum - gap).abs() <= 1e-8 * scale, "{name}: contributions {sum:e}, gap {gap:e}");
     let least = c.elements.iter().chain(&c.contacts).copied().fold(0.0, f64::min);

@@ -4,5 +4,6 @@ mod adaptive;
 mod coulomb;
 mod exact;
 mod hard;
+mod preload;
 mod random;
 mod welds;

@@ -28,6 +28,25 @@ pub fn joint(spec: &str) -> Joint {
 /// Model file and mesh of the first load case. The elements are `factor` times as large as usual.
 /// With a factor above 2 there are no planes at mid-thickness, for as few elements as possible.
 pub fn model(joint: &Joint, factor: f64, full: bool, kind: AnalysisKind) -> (ModelFile, TetMesh) {
+    model_of(joint, factor, full, (kind, false))
+}
+
+/// The same with bolts that stay elastic.
+pub fn model_with_elastic_bolts(
+    joint: &Joint,
+    factor: f64,
+    full: bool,
+    kind: AnalysisKind,
+) -> (ModelFile, TetMesh) {
+    model_of(joint, factor, full, (kind, true))
+}
+
+fn model_of(
+    joint: &Joint,
+    factor: f64,
+    full: bool,
+    (kind, elastic_bolts): (AnalysisKind, bool),
+) -> (ModelFile, TetMesh) {
     let folder = tempfile::tempdir().unwrap();
     let mut options = MeshOptions::new(folder.path());
     options.full = full;
@@ -36,7 +55,7 @@ pub fn model(joint: &Joint, factor: f64, full: bool, kind: AnalysisKind) -> (Mod
     let m = mesh_joint(&joint.assembly, &options, &mut |_| {}).unwrap_or_else(|e| panic!("{e:#?}"));
     let case = &cases(&joint.assembly)[0];
     let (assembly, strengths) = (&joint.assembly, design_strengths(joint));
-    let asked = Asked::new(case, kind);
+    let asked = Asked { elastic_bolts, ..Asked::new(case, kind) };
     let file = model_file(assembly, &strengths, &m.mesh, &m.symmetry_used, "mesh.msh", &asked);
     (file, m.mesh)
 }

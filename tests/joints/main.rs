@@ -9,6 +9,7 @@ mod built;
 mod component_method;
 mod files;
 mod invariance;
+mod load_steps;
 #[path = "../common/numbers.rs"]
 mod numbers;
 mod preload;

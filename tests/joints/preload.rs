@@ -83,9 +83,9 @@ fn a_preloaded_bolt_feels_a_part_of_the_load() {
     assert!(pulled("none").preload.is_empty());
 }
 
-/// Preload together with bodies that yield is refused before meshing starts.
+/// Preload of bolts that may yield is refused before meshing starts.
 #[test]
-fn preload_with_bodies_that_yield_is_refused_before_the_mesher_starts() {
+fn preload_of_bolts_that_yield_is_refused_before_the_mesher_starts() {
     let bench = Bench::new().file(
         "joint.yaml",
         spec("0.7", 40.0).replace("[elastic, limit]", "[elastic, elastoplastic]"),
@@ -94,7 +94,7 @@ fn preload_with_bodies_that_yield_is_refused_before_the_mesher_starts() {
     let stderr = String::from_utf8_lossy(&run.stderr).into_owned();
     assert_eq!(run.status.code(), Some(2), "{stderr}");
     for words in
-        ["model/unavailable", "joint.yaml:3:", "not available yet", "`limit`, where it drops out"]
+        ["model/unavailable", "joint.yaml:3:", "tightens elastic bolts only", "`bolts: elastic`"]
     {
         assert!(stderr.contains(words), "{words}: {stderr}");
     }

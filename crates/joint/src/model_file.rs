@@ -40,14 +40,16 @@ pub struct Asked {
     /// The kind of analysis.
     pub kind: AnalysisKind,
     /// Whether the bolts stay elastic although other parts yield. Their stiffness is then that of
-    /// the stress area, and preload drops out.
+    /// the stress area.
     pub elastic_bolts: bool,
+    /// Whether the bolts are tightened.
+    pub preload: bool,
 }
 
 impl Asked {
     /// A load case under a kind of analysis in which all parts yield that can.
     pub fn new(case: impl Into<String>, kind: AnalysisKind) -> Self {
-        Self { case: case.into(), kind, elastic_bolts: false }
+        Self { case: case.into(), kind, elastic_bolts: false, preload: true }
     }
 }
 
@@ -56,8 +58,7 @@ impl Asked {
 /// Rules about parts and faces that `mesh` does not contain (beyond a symmetry plane) are left out.
 /// `mesh_name` is the path of the mesh file relative to the model file. Forces and moments become
 /// actions on rigid faces, free in all motions that the symmetry planes through them permit. A
-/// preloaded bolt that a symmetry plane halves has half its preload, which drops out where the
-/// bolts stay elastic beside parts that yield. In limit analysis the
+/// preloaded bolt that a symmetry plane halves has half its preload. In limit analysis the
 /// resistances of the bolts are limits of the forces in the sections of their shanks. There is no
 /// entry for adaptation. A material or weld without an entry in `strengths` gets none in the model,
 /// which the engine then refuses.
@@ -142,10 +143,9 @@ pub fn model_file(
         rigid: rigid_entries(assembly, &here, symmetry_used),
         loads: loads(false),
         dead: loads(true),
-        preload: if asked.elastic_bolts {
-            Vec::new()
-        } else {
-            preload_entries(assembly, mesh, symmetry_used)
+        preload: match asked.preload {
+            true => preload_entries(assembly, mesh, symmetry_used),
+            false => Vec::new(),
         },
         cuts: limited.cuts,
         resultant_limits: limited.limits,

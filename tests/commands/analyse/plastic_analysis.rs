@@ -288,8 +288,8 @@ fn wrong_inputs_are_refused_with_place_and_cure() {
             format!("{CUBE}preload:\n  - {{body: B, cut: X0, axis: [1, 0, 0], force: 1}}\n"),
             "model/unavailable",
             "cube.yaml:9",
-            "preload",
-            "available",
+            "`B` is preloaded and may yield",
+            "`bolts: elastic`",
         ),
     ];
     let results = rows.map(|(model, code, place, message, cure)| {

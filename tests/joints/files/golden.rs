@@ -109,6 +109,7 @@ fn case(name: &str) -> CaseResult {
         dissipation: vec![],
         yielding: vec![],
         face_motions: vec![],
+        load_steps: Vec::new(),
         limiting_part: None,
         welds: vec![],
         support_slip: vec![],

@@ -1,18 +1,17 @@
 //! Elastic analysis: bounds of the potential energy on one mesh.
 //!
-//! Preloaded bolts are tightened first (`preload`). With Coulomb friction the kinematic program is
+//! Preloaded bolts are tightened first (`tightening`). With Coulomb friction the kinematic program is
 //! a fixed point, and both bounds belong to its last problem (`coulomb`).
 
 mod coulomb;
-mod preload;
 
 use crate::analysis::energy_pass::EnergyPass;
 use crate::analysis::engine::both;
 use crate::analysis::event::Progress;
 use crate::analysis::pass::{PassError, PassOptions};
+use crate::analysis::tightening::tightened_first;
 use crate::model::AnalysisModel;
 use crate::programs::{Kinematic, Static};
-use std::time::Instant;
 
 /// Runs both programs, or the one whose bound the model requests.
 pub fn run(
@@ -20,16 +19,7 @@ pub fn run(
     options: &PassOptions,
     progress: &Progress,
 ) -> Result<EnergyPass, PassError> {
-    if !model.preload.iter().any(|p| p.closure.is_none() && !p.faces.is_empty()) {
-        return run_loaded(model, options, progress);
-    }
-    let start = Instant::now();
-    match preload::tighten(model, options, progress)? {
-        preload::Tightened::Frozen(frozen) => {
-            run_loaded(&frozen, &options.remaining(start), progress)
-        }
-        preload::Tightened::Failed(pass) => Ok(*pass),
-    }
+    tightened_first(model, options, progress, run_loaded)
 }
 
 /// Runs the programs of a model whose bolts, if any, are tightened.

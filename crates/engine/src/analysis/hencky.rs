@@ -11,6 +11,8 @@
 //! every tet that can yield gets them at once: one solve a program, three to four times faster than
 //! the search on a joint (benches/README.md), and its forecast is that of the whole analysis.
 //!
+//! Preloaded bolts, which stay elastic, are tightened first (`tightening`).
+//!
 //! Under Coulomb's law each kinematic solve is a fixed point as in elastic analysis, started from
 //! the shift of the one before; the static program then solves the last of these problems.
 
@@ -22,6 +24,7 @@ use crate::analysis::engine::{Both, assemble_and_run};
 use crate::analysis::event::{Event, Progress};
 use crate::analysis::pass::{PassError, PassOptions};
 use crate::analysis::program::Program;
+use crate::analysis::tightening::tightened_first;
 use crate::model::AnalysisModel;
 use crate::model::file::Bounds;
 use programs::{HenckyKinematic, HenckyStatic, Motion};
@@ -31,6 +34,15 @@ use yield_set::{First, KinematicSide, Side, StaticSide};
 /// Runs both programs; under Coulomb's law one after the other, the static one with the shift of
 /// the kinematic one.
 pub fn run(
+    model: &AnalysisModel,
+    options: &PassOptions,
+    progress: &Progress,
+) -> Result<EnergyPass, PassError> {
+    tightened_first(model, options, progress, run_loaded)
+}
+
+/// Runs both programs of a model whose bolts, if any, are tightened.
+fn run_loaded(
     model: &AnalysisModel,
     options: &PassOptions,
     progress: &Progress,

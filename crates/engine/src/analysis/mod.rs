@@ -20,3 +20,4 @@ pub mod pass;
 pub mod preloaded_bolt;
 pub mod program;
 pub mod program_outcome;
+mod tightening;

@@ -106,6 +106,26 @@ impl AnalysisModel {
         !self.preload.is_empty()
     }
 
+    /// The model under `factor` times its live loads; the dead loads stay as they are.
+    pub fn at_load_factor(&self, factor: f64) -> Self {
+        let mut out = self.clone();
+        let scaled = |x: [f64; 3]| vec3::scale(factor, x);
+        for load in out.surface_loads.iter_mut().filter(|l| !l.dead) {
+            load.traction = match load.traction {
+                Traction::Pressure(p) => Traction::Pressure(factor * p),
+                Traction::Linear { traction0, gradient } => Traction::Linear {
+                    traction0: scaled(traction0),
+                    gradient: gradient.map(scaled),
+                },
+            };
+        }
+        for load in out.body_loads.iter_mut().filter(|l| !l.dead) {
+            load.force = scaled(load.force);
+        }
+        out.rigid.iter_mut().for_each(|r| r.action = r.action.map(|a| factor * a));
+        out
+    }
+
     /// The model under its dead loads alone.
     pub fn without_live_loads(&self) -> Self {
         let mut dead = self.clone();

@@ -31,15 +31,16 @@ pub fn plastic_motion(
     patterns: &Patterns,
 ) -> Result<PlasticField, RecoverError> {
     let program = &kinematic.program;
-    let given = kinematic.nodal(&solution.x);
-    let x = &solution.x[..kinematic.map.n];
-    let slack: Vec<f64> = program.g.mul(x).iter().zip(offsets).map(|(a, b)| a + b).collect();
+    let mut x = solution.x[..kinematic.map.n].to_vec();
+    kinematic.map.keep_frozen(&mut x);
+    let given = kinematic.nodal(&x);
+    let slack: Vec<f64> = program.g.mul(&x).iter().zip(offsets).map(|(a, b)| a + b).collect();
     let violated = smallest_margin(program, &slack) < 0.0;
     // the elastic program has the same shared unknowns, and a stiffness on all of them
     let nodes = match violated {
         true => {
             let elastic = Kinematic::new(model)?;
-            opened(model, &elastic, &elastic.program.h, x.to_vec(), patterns)?
+            opened(model, &elastic, &elastic.program.h, x, patterns)?
         }
         false => DisplacementField { u: given.clone() },
     };
@@ -66,7 +67,9 @@ pub fn yielding_stress(
     solution: &Solution,
     patterns: &Patterns,
 ) -> Result<StressField, RecoverError> {
-    let parameters = statics.all_parameters(&solution.x)?;
+    let mut x = solution.x.clone();
+    statics.map.keep_frozen(&mut x);
+    let parameters = statics.all_parameters(&x)?;
     balanced_stress(
         &Static::new(model)?,
         interface_tractions(statics, solution),

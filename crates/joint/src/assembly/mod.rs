@@ -44,6 +44,8 @@ pub use joint::{Joint, LoadedTemplate, build, build_from, given_names, names};
 pub use small_actions::{Idle, Neglected};
 
 #[cfg(test)]
+mod bad_load_steps;
+#[cfg(test)]
 mod bad_specs;
 #[cfg(test)]
 mod extends_tests;

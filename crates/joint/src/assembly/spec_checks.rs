@@ -14,6 +14,10 @@ use bracket_engine::model::FrictionLaw;
 /// Allowed system lengths of members \[mm\].
 const SYSTEM_LENGTHS: std::ops::RangeInclusive<f64> = 100.0..=100e3;
 
+/// Largest load step, and how many steps are analysed at most.
+const LARGEST_STEP: f64 = 10.0;
+const MOST_STEPS: usize = 20;
+
 /// What the system length of a member is.
 const LENGTH: &str = "give the system length with its unit: of a beam the distance between the \
                       centres of the columns, `length: 6 m`, of a column its storey height, \
@@ -60,6 +64,7 @@ pub(super) fn rest(
 ) {
     numbers(spec, faults);
     coulomb_estimate(spec, mu, faults);
+    load_steps(spec, faults);
     bolt_model(spec, faults);
     loads(spec, template, faults);
     categories(spec, faults);
@@ -124,6 +129,49 @@ fn numbers(spec: &ConnectionSpec, faults: &mut Vec<AssemblyError>) {
             path: "friction.class".into(),
             problem: "`mu` and `class` are both given".into(),
             help: "keep one of them: `class` takes mu from the catalogue".into(),
+        });
+    }
+}
+
+/// Load steps rise, and only elastoplastic analysis has them.
+fn load_steps(spec: &ConnectionSpec, faults: &mut Vec<AssemblyError>) {
+    let a = &spec.analysis;
+    let Some(first) = a.load_steps.first() else { return };
+    let mut fault = |path: String, problem: String| {
+        faults.push(AssemblyError::Value {
+            path,
+            problem,
+            help: "name rising factors of the demand: `load_steps: [0.25, 0.5, 0.75, 1]`".into(),
+        });
+    };
+    let pairs = std::iter::once((0.0, *first))
+        .chain(a.load_steps.windows(2).map(|w| (w[0], w[1])))
+        .enumerate();
+    for (i, (before, step)) in pairs {
+        let number = bracket_base::diag::number;
+        let (path, said) = (format!("analysis.load_steps[{i}]"), number(step));
+        if !limits::within(step, &(0.0..=LARGEST_STEP)) || step == 0.0 {
+            fault(path, format!("the load step {said} is not above 0 and up to {LARGEST_STEP}"));
+        } else if step <= before {
+            fault(
+                path,
+                format!("the load step {said} is not above {}, the one before", number(before)),
+            );
+        } else {
+            continue;
+        }
+        // what follows a wrong step is no fault of its own
+        return;
+    }
+    let path = || "analysis.load_steps".to_owned();
+    if a.load_steps.len() > MOST_STEPS {
+        let count = a.load_steps.len();
+        fault(path(), format!("{count} load steps; at most {MOST_STEPS} are analysed"));
+    } else if !a.kind.0.contains(&AnalysisKind::Elastoplastic) && a.decide != Some(true) {
+        faults.push(AssemblyError::Value {
+            path: path(),
+            problem: "`load_steps` without elastoplastic analysis".into(),
+            help: "add it: `kind: elastoplastic`, or a list with it".into(),
         });
     }
 }

@@ -29,6 +29,11 @@ pub struct AnalysisSpec {
     /// Elastoplastic analysis: whether the bolts yield.
     #[serde(skip_serializing_if = "BoltModel::is_yielding")]
     pub bolts: BoltModel,
+    /// Elastoplastic analysis: factors of the demand at which the case is analysed as well, on its
+    /// last mesh; rising, 1 to 20 of them, above 0 and up to 10. They give a curve of moment and
+    /// rotation.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub load_steps: Vec<f64>,
     /// Run what a verdict by analysis needs, and no more: limit analysis, and elastoplastic
     /// analysis with elastic bolts. By default where `kind` has limit analysis and the code has no
     /// method for a load at a member end.
@@ -48,6 +53,7 @@ impl Default for AnalysisSpec {
             time_limit: None,
             coulomb_estimate: false,
             bolts: BoltModel::Yielding,
+            load_steps: Vec::new(),
             decide: None,
             mesh: MeshSpec::default(),
         }
@@ -62,7 +68,7 @@ pub enum BoltModel {
     #[default]
     Yielding,
     /// They stay elastic, with the stiffness of their stress area: no force is redistributed by
-    /// bolts that yield. Preload drops out.
+    /// bolts that yield. Preload is tightened before the loads act.
     Elastic,
 }
 

@@ -8,6 +8,7 @@ pub mod dxf;
 pub mod joint_drawings;
 pub mod legend;
 pub mod lettering;
+pub mod load_steps;
 pub mod moment_axial;
 pub mod moment_rotation;
 pub mod options;

@@ -79,7 +79,7 @@ pub(crate) fn assumptions(data: &ReportData) -> Vec<Text> {
             );
         }
     }
-    if model.preload && kinds.contains(&AnalysisKind::Elastic) {
+    if model.preload && kinds.iter().any(|k| *k != AnalysisKind::Limit) {
         out.push(
             "Preload: the bolts are tightened first, under the dead loads alone; then the \
              closures of their cuts are kept. The bounds are strict for the structure with these \

@@ -13,8 +13,8 @@ use crate::markdown::title::title_block;
 use crate::markdown::warnings::warnings;
 use crate::markdown::yielding::yielding;
 use crate::markdown::{
-    component_method, demand, forces, hand_checks, input, method, polygon, route, stiffness,
-    summary, verdict,
+    component_method, demand, forces, hand_checks, input, load_steps, method, polygon, route,
+    stiffness, summary, verdict,
 };
 use crate::words::Words;
 use bracket_base::diag::visible;
@@ -50,6 +50,7 @@ pub fn report_markdown(data: &ReportData, words: &Words) -> String {
     for case in &data.result.cases {
         mechanism(doc, case);
         yielding(doc, case);
+        load_steps::section(doc, case);
     }
     warnings(doc, data);
     joint(doc, data);

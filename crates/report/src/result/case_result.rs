@@ -4,6 +4,7 @@ use crate::result::certificate::Certificate;
 use crate::result::demand::{Demand, EndAction};
 use crate::result::forces::StaticForces;
 use crate::result::history::HistoryRow;
+use crate::result::load_step::LoadStep;
 use crate::result::quantity::{FrictionModel, LoadSize, Quantity, RawBracket, Upper};
 use bracket_base::math::vec3;
 use bracket_base::say;
@@ -55,7 +56,7 @@ pub struct CaseResult {
     /// estimate. Under that law one structure may have several load factors; this is one of them.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub coulomb_estimate: Option<f64>,
-    /// The preloaded bolts of an elastic analysis.
+    /// The preloaded bolts of an elastic or elastic, perfectly plastic analysis.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub preload: Vec<PreloadedBolt>,
     /// Coulomb friction: course of the fixed point. In limit analysis it is the fixed point of the
@@ -107,6 +108,9 @@ pub struct CaseResult {
     /// the field of the upper bound; an estimate.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub face_motions: Vec<FaceMotion>,
+    /// Elastic, perfectly plastic analysis: the load steps that the spec asks for.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub load_steps: Vec<LoadStep>,
     /// Limit analysis: the body whose stress is nearest to the yield surface at the lower bound;
     /// absent if a weld or a resultant limit is nearer to its strength.
     #[serde(default, skip_serializing_if = "Option::is_none")]

@@ -376,6 +376,7 @@ pub fn case_result(
         dissipation: Vec::new(),
         yielding: if elastic { Vec::new() } else { yielding(model, pass) },
         face_motions: face_motions(model, pass),
+        load_steps: Vec::new(),
         limiting_part: None,
         welds: weld_uses(
             model,

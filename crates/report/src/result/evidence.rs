@@ -98,7 +98,7 @@ impl EvidencePlan {
     }
 
     /// The forces in the sections of the meshed bolts, of whole bolts.
-    fn bolts(&self, upper: Side<'_>, lower: Side<'_>) -> Vec<BoltSections> {
+    pub fn bolts(&self, upper: Side<'_>, lower: Side<'_>) -> Vec<BoltSections> {
         let space = Tet10Space::new(&upper.model.mesh);
         let mut out: Vec<BoltSections> = Vec::new();
         for (section, toward) in &self.sections {

@@ -9,6 +9,11 @@ pub const LIVE_FIELD: &str = "static_live";
 /// Kind of the field file with the stress of the dead loads alone, beside [`LIVE_FIELD`].
 pub const DEAD_FIELD: &str = "static_dead";
 
+/// End of the names of the field files of a load step, which are counted from 1.
+pub fn step_suffix(number: usize) -> String {
+    format!("_step{number}")
+}
+
 /// The stem of the files of an entry. It is the stem of the case; the kind of analysis is added if
 /// an earlier entry has the same case.
 pub fn entry_stem(earlier: &[CaseResult], entry: &CaseResult) -> String {

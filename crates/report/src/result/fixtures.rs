@@ -42,6 +42,7 @@ pub(crate) fn case() -> CaseResult {
         dissipation: vec![],
         yielding: vec![],
         face_motions: vec![],
+        load_steps: Vec::new(),
         limiting_part: None,
         welds: vec![],
         support_slip: vec![],

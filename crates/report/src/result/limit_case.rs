@@ -320,6 +320,7 @@ pub fn limit_case_result(
         dissipation: shares.bodies,
         yielding: Vec::new(),
         face_motions: Vec::new(),
+        load_steps: Vec::new(),
         limiting_part,
         welds: weld_uses(model, used, shares.welds, Vec::new()),
         support_slip: shares.supports,

@@ -17,6 +17,7 @@ pub mod folder_error;
 pub mod forces;
 pub mod history;
 pub mod limit_case;
+pub mod load_step;
 pub mod polygon;
 pub mod preload;
 pub mod quantity;

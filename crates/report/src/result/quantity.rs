@@ -93,4 +93,12 @@ impl LoadSize {
             LoadSize::Force(v) | LoadSize::Moment(v) => v,
         }
     }
+
+    /// The load times a factor.
+    pub fn times(self, factor: f64) -> Self {
+        match self {
+            LoadSize::Force(v) => LoadSize::Force(factor * v),
+            LoadSize::Moment(v) => LoadSize::Moment(factor * v),
+        }
+    }
 }

@@ -9,6 +9,7 @@ mod finding;
 mod grids;
 mod history;
 mod json_difference;
+mod load_steps;
 mod measured;
 
 use crate::result::combine::{PassResult, join};
@@ -32,6 +33,7 @@ use differences::derived_differences;
 pub use finding::Finding;
 use history::{MeshSizes, history_differences};
 pub use json_difference::first_difference;
+use load_steps::verify_steps;
 use measured::measured_differences;
 use std::path::Path;
 
@@ -102,7 +104,7 @@ fn verify_case(
                 model.symmetry
             ));
         }
-        let files = CaseFiles { model, case, folder, stem, wanted };
+        let files = CaseFiles { model, case, folder, stem, suffix: "", wanted };
         let (new, side) = match model.analysis {
             AnalysisKind::Limit => {
                 let (new, entry, pass) = files.factors(&mut refuted)?;
@@ -138,7 +140,14 @@ fn verify_case(
     }
     if !here && let Some(found) = &mut found {
         let model = load_model(&smooth)?;
-        let files = CaseFiles { model: &model, case, folder, stem, wanted: [false, false, true] };
+        let files = CaseFiles {
+            model: &model,
+            case,
+            folder,
+            stem,
+            suffix: "",
+            wanted: [false, false, true],
+        };
         let (new, entry, pass) = files.factors(&mut refuted)?;
         findings.extend(new);
         if let (Some(lower), Some((_, upper))) = (pass.frictionless, &mechanism)
@@ -154,6 +163,7 @@ fn verify_case(
     if let Some(Reference { mirror, .. }) = reference {
         mark_halved(&mut entry.preload, other.as_ref().unwrap_or(&model), mirror);
     }
+    findings.extend(verify_steps((folder, stem), case, &model, reference, &mut refuted)?);
     refuted.extend(derived_differences(case, &entry));
     let (upper, lower) = (MeshSizes::of(&model), other.as_ref().map(MeshSizes::of));
     refuted.extend(history_differences(case, &entry, (&upper, lower.as_ref()), model.bounds));

@@ -128,6 +128,10 @@ impl DiscreteProgram for HenckyKinematic {
         accuracy(self.rough, self.yielding(), asked)
     }
 
+    fn origin(&self, model: &AnalysisModel) -> Vec<f64> {
+        self.base().closed_cuts(model)
+    }
+
     fn next_problem(&self, model: &AnalysisModel, solution: &Solution) -> Option<NextProblem> {
         // a rough solution needs no shift
         let iteration = self.iteration.as_ref().filter(|_| !self.rough)?;
@@ -202,6 +206,10 @@ impl<'a> DiscreteProgram for HenckyStatic<'a> {
 
     fn accuracy(&self, asked: &SolveOptions) -> SolveOptions {
         accuracy(self.rough, self.yielding(), asked)
+    }
+
+    fn origin(&self, model: &AnalysisModel) -> Vec<f64> {
+        self.base().closed_cuts(model)
     }
 
     fn recover(

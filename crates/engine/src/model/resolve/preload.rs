@@ -23,7 +23,7 @@ pub(super) struct Cut {
 }
 
 /// Reads `preload`. In limit analysis preload has no effect: the cuts stay closed, and a note
-/// reports it. Preload is not available in elastic, perfectly plastic analysis.
+/// reports it. In elastic, perfectly plastic analysis a preloaded bolt stays elastic.
 pub(super) fn read(
     file: &ModelFile,
     scene: &Scene<'_>,
@@ -31,11 +31,15 @@ pub(super) fn read(
     faults: &mut Faults<'_>,
     notes: &mut Vec<Text>,
 ) -> Vec<Cut> {
-    if file.analysis == AnalysisKind::Elastoplastic && !file.preload.is_empty() {
-        let m = "preload in an elastic, perfectly plastic analysis is not available yet in this \
-                 version";
-        let help = "available: `preload` with `analysis: elastic`, where it acts, and with \
-                    `analysis: limit`, where it drops out";
+    let mut yielding = file.preload.iter().filter(|entry| strength(file, entry).is_some());
+    if let (AnalysisKind::Elastoplastic, Some(entry)) = (file.analysis, yielding.next()) {
+        let m = format!(
+            "`{}` is preloaded and may yield: an elastic, perfectly plastic analysis tightens \
+             elastic bolts only",
+            entry.body
+        );
+        let help = "leave out `fy` of its material, so that it stays elastic (`bolts: elastic` in \
+                    a spec); or take `analysis: elastic`, or `limit`, where preload drops out";
         faults.add("model/unavailable", "preload", m, help);
         return Vec::new();
     }
@@ -84,6 +88,11 @@ fn has_force(entry: &PreloadEntry, path: &str, faults: &mut Faults<'_>) -> bool 
     force
 }
 
+/// Yield strength of the body of a preloaded bolt \[MPa\]; `None`: it stays elastic.
+fn strength(file: &ModelFile, entry: &PreloadEntry) -> Option<f64> {
+    file.bodies.get(&entry.body).and_then(|m| file.materials.get(m))?.fy
+}
+
 /// Adds a note where a preload exceeds the yield force of the shank.
 fn strength_note(
     file: &ModelFile,
@@ -92,8 +101,7 @@ fn strength_note(
     scene: &Scene<'_>,
     notes: &mut Vec<Text>,
 ) {
-    let material = file.bodies.get(&entry.body).and_then(|m| file.materials.get(m));
-    let Some(fy) = material.and_then(|m| m.fy) else { return };
+    let Some(fy) = strength(file, entry) else { return };
     let area = faces.iter().map(|f| {
         let t = &scene.mesh.tets[f[0].tet as usize];
         vec3::norm(vec3::area_vector(

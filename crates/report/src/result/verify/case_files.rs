@@ -18,6 +18,8 @@ pub struct CaseFiles<'a> {
     pub folder: &'a Path,
     /// Stem of the file names.
     pub stem: &'a str,
+    /// End of the names of its field files: that of a load step, or empty.
+    pub suffix: &'a str,
     /// Whether the fields of the kinematic and of the static program, and of the static one without
     /// friction, are on this model's mesh.
     pub wanted: [bool; 3],
@@ -35,7 +37,7 @@ impl CaseFiles<'_> {
     }
 
     fn path(&self, kind: &str) -> PathBuf {
-        self.folder.join("fields").join(format!("{}_{kind}.vtu", self.stem))
+        self.folder.join("fields").join(format!("{}_{kind}{}.vtu", self.stem, self.suffix))
     }
 
     /// The bytes of a field file.

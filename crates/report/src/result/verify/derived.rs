@@ -30,6 +30,8 @@ pub struct Reference {
     pub mirror: Vec<usize>,
     /// What is measured in elastoplastic analysis with elastic bolts.
     pub evidence: Option<EvidencePlan>,
+    /// The load steps that elastoplastic analysis is asked for.
+    pub load_steps: Vec<f64>,
 }
 
 /// The results that the files of a case prove.

@@ -46,7 +46,7 @@ pub(super) fn measured_differences(
 
 /// Whether two values are equal, but for the last digits of numbers: beside the largest number with
 /// the same key.
-fn same(a: &Value, b: &Value) -> bool {
+pub(super) fn same(a: &Value, b: &Value) -> bool {
     let mut sizes = BTreeMap::new();
     [a, b].into_iter().for_each(|of| largest(of, "", &mut sizes));
     near(a, b, "", &sizes)

@@ -2,9 +2,10 @@
 //!
 //! Step 1, under the dead loads: every cut closes by δ, driven by its preload. The preload is the
 //! term `−F_p δ` in the kinematic program and a resultant F_p of the tractions in the static one.
-//! Where nothing else is loaded, the two closures enclose the exact one; their mean is used. Step
-//! 2, under all loads: both programs have this closure, so both bounds are strict for the structure
-//! with this closure.
+//! All bodies are elastic in this step. Where nothing else is loaded, the two closures enclose the
+//! exact one; their mean is used. Step 2, under all loads: both programs have this closure, so both
+//! bounds are strict for the structure with this closure. In step 2 the bodies around elastic bolts
+//! may yield.
 
 use crate::analysis::discrete_program::{BaseProgram, DiscreteProgram};
 use crate::analysis::energy_pass::EnergyPass;
@@ -16,9 +17,10 @@ use crate::model::AnalysisModel;
 use crate::programs::{Kinematic, Static};
 use crate::recover::elastic::RecoverError;
 use crate::solve::{Patterns, Solution};
+use std::time::Instant;
 
 /// Result of the tightening.
-pub(super) enum Tightened {
+enum Tightened {
     /// The model with the closures of its cuts frozen.
     Frozen(Box<AnalysisModel>),
     /// A program gave no closures: the outcomes of both.
@@ -53,8 +55,25 @@ impl<P: BaseProgram + Sized> DiscreteProgram for TighteningProgram<P> {
     }
 }
 
+/// Tightens the bolts whose closures are unknown, then runs `loaded` with the cuts frozen.
+pub(super) fn tightened_first(
+    model: &AnalysisModel,
+    options: &PassOptions,
+    progress: &Progress,
+    loaded: impl Fn(&AnalysisModel, &PassOptions, &Progress) -> Result<EnergyPass, PassError>,
+) -> Result<EnergyPass, PassError> {
+    if !model.preload.iter().any(|p| p.closure.is_none() && !p.faces.is_empty()) {
+        return loaded(model, options, progress);
+    }
+    let start = Instant::now();
+    match tighten(model, options, progress)? {
+        Tightened::Frozen(frozen) => loaded(&frozen, &options.remaining(start), progress),
+        Tightened::Failed(pass) => Ok(*pass),
+    }
+}
+
 /// Tightens the bolts under the dead loads.
-pub(super) fn tighten(
+fn tighten(
     model: &AnalysisModel,
     options: &PassOptions,
     progress: &Progress,
