@@ -5,6 +5,7 @@ use crate::driver::setup::RunSetup;
 use crate::driver::spec_file::SpecFile;
 use bracket_base::diag::Diagnostics;
 use bracket_base::words::Text;
+use bracket_engine::certify::fields::DisplacementField;
 use bracket_engine::model::file::ModelFile;
 use bracket_joint::meshing::joint::JointMesh;
 use bracket_report::markdown::report_data::ModelTraits;
@@ -45,6 +46,8 @@ pub struct SolvedCase<'a> {
     pub model_file: &'a (String, ModelFile),
     /// True if the run has no other case.
     pub alone: bool,
+    /// Buckling modes on the mesh of its fields, for the route of analysis.
+    pub modes: &'a [DisplacementField],
 }
 
 /// Takes what a run makes on the way. The fields of a large mesh fill the memory, so that each case

@@ -39,6 +39,15 @@ pub struct Deformed<'a> {
     pub caption: &'a str,
 }
 
+/// A point of the shape with a text beside it.
+#[derive(Clone, Copy, Debug)]
+pub struct Mark<'a> {
+    /// The point \[mm\].
+    pub at: [f64; 3],
+    /// What stands there: `1.2 %`.
+    pub text: &'a str,
+}
+
 /// Options for a picture.
 #[derive(Clone, Debug)]
 pub struct PictureOptions<'a> {
@@ -64,6 +73,10 @@ pub struct PictureOptions<'a> {
     pub deformed: Option<Deformed<'a>>,
     /// Whether the edges of the given shape are drawn behind the deformed one.
     pub ghost: bool,
+    /// A marked point of the shape at rest.
+    pub mark: Option<Mark<'a>>,
+    /// A line below the legend: `limit 5 %`.
+    pub note: Option<&'a str>,
 }
 
 impl Default for PictureOptions<'_> {
@@ -79,6 +92,8 @@ impl Default for PictureOptions<'_> {
             field: None,
             deformed: None,
             ghost: false,
+            mark: None,
+            note: None,
         }
     }
 }

@@ -6,8 +6,8 @@
 //! remain hidden without a depth offset.
 
 use crate::draw::canvas::{Canvas, Picture, SAMPLES};
-use crate::draw::legend::{legend, strip};
-pub use crate::draw::options::{Colours, Deformed, Field, PictureOptions};
+use crate::draw::legend::{legend, mark, strip};
+pub use crate::draw::options::{Colours, Deformed, Field, Mark, PictureOptions};
 use crate::draw::palette::{BACKGROUND, Bands, FRAME, Groups, INK, UNDEFINED, mix};
 use crate::draw::surface::{EdgeKind, Surface, unit_normal};
 use crate::draw::view::{LEGEND, View, natural_eye};
@@ -74,7 +74,12 @@ pub fn draw_surface(mut surface: Surface, options: &PictureOptions) -> Picture {
         canvas.frame([1.0, 1.0], [right - 1.0, view.strip_top - 1.0], FRAME);
     }
     if let (Some(bands), Some(field)) = (&bands, options.field) {
-        legend(&mut canvas, bands, field, view.width as f64 - LEGEND + 16.0, view.strip_top);
+        let corner = [view.width as f64 - LEGEND + 16.0, view.strip_top];
+        legend(&mut canvas, bands, (field, options.note), corner);
+    }
+    if let Some(marked) = options.mark {
+        let right = view.width as f64 - if bands.is_some() { LEGEND } else { 0.0 };
+        mark(&mut canvas, &view, marked, right);
     }
     strip(&mut canvas, &view, &groups, options);
     canvas.finish()

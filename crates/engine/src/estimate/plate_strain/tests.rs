@@ -66,6 +66,25 @@ fn pure_bending_has_plastic_strain_at_the_surfaces_only() {
     }
 }
 
+/// The largest value at the nodes is the largest mean, on coarse meshes too, and nodes off the
+/// plate have none.
+#[test]
+fn the_nodes_have_the_largest_mean() {
+    for count in [[12, 8, 2], [2, 2, 1]] {
+        let m = mesh(count, turn());
+        let f = field(&m, false, turned(turn(), |x| [0.5e-3 * x[0] * x[0], 0.0, 0.0]));
+        let half = Plate { extent: [[0.0, 30.0], [0.0, SIZE[1]], [0.0, T]], ..plate(turn()) };
+        let at = membrane_at_nodes(&m, &f, std::slice::from_ref(&half));
+        let largest = at.iter().copied().filter(|v| !v.is_nan()).fold(0.0, f64::max);
+        assert_eq!(largest, value(plate_strains(&m, &f, &[half])[0].membrane));
+        let off = |x: &V3| plate(turn()).coordinates(*x)[0] > 30.0 + 1e-6;
+        let nodes = || m.mesh.nodes.iter().zip(&at);
+        assert!(nodes().filter(|(x, _)| off(x)).all(|(_, v)| v.is_nan()), "{count:?}");
+        let fine = count[0] == 12;
+        assert!(!fine || nodes().filter(|(x, _)| !off(x)).all(|(_, v)| !v.is_nan()));
+    }
+}
+
 /// Under a linear strain the mean of a prism is the value at its middle; the largest one is at the
 /// end of the plate.
 #[test]
