@@ -13,6 +13,7 @@ mod invariance;
 mod numbers;
 mod preload;
 mod public_cases;
+mod route_pictures;
 mod stiffness;
 mod suggested_values;
 mod t_stubs_by_template;

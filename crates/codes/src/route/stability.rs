@@ -42,7 +42,8 @@ pub(super) fn stability(
     };
     let critical = factors.counted();
     let first = factors.fine.first().or(factors.coarse.first());
-    let part = first.map_or_else(Text::default, |m| Text::given(&m.part));
+    let stable = || say!("nothing buckles up to {}", crate::unit::number(LARGEST_CRITICAL));
+    let part = first.map_or_else(stable, |m| Text::given(&m.part));
     let ultimate = facts.factors.gamma_m0 * lower;
     let rho = reduction(ultimate, critical);
     let factors = [ultimate, critical, rho].map(crate::unit::number);

@@ -80,22 +80,17 @@ pub fn mode_pictures(
 
 /// The factor and the parity of a mode, for the line below its picture.
 fn title(i: usize, mode: &CriticalMode, factors: &CriticalFactors, mirror: &[usize]) -> Text {
-    let factor = match i {
-        0 => say!("α_cr = {}", number(factors.counted())),
-        _ => say!("α = {} on the finer mesh", number(mode.factor)),
-    };
-    let planes = |odd: bool| {
-        let those = mirror.iter().filter(move |axis| mode.antisymmetric.contains(axis) == odd);
-        those.map(|axis| format!("{} = 0", AXES[*axis])).collect::<Vec<_>>().join(", ")
-    };
-    let parity = [(false, planes(false)), (true, planes(true))];
-    let parity = parity.into_iter().filter(|(_, planes)| !planes.is_empty());
-    let parity = parity.map(|(odd, planes)| match odd {
-        true => say!("antisymmetric to {}", planes),
-        false => say!("symmetric to {}", planes),
+    let factor = Text::given(match i {
+        0 => format!("α_cr = {}", number(factors.counted())),
+        _ => format!("α = {}", number(mode.factor)),
     });
-    let mode = say!("buckling mode {}", i + 1);
-    Text::joined(", ", [mode, factor].into_iter().chain(parity))
+    let odd = mode.antisymmetric.iter().map(|axis| format!("{} = 0", AXES[*axis]));
+    let parity = match odd.collect::<Vec<_>>().join(", ") {
+        _ if mirror.is_empty() => Text::default(),
+        none if none.is_empty() => "symmetric".into(),
+        planes => say!("antisymmetric to {}", planes),
+    };
+    Text::joined(", ", [say!("buckling mode {}", i + 1), factor, parity])
 }
 
 fn caption_of(
@@ -115,7 +110,7 @@ fn caption_of(
                 of(fine)
             )
         }
-        _ => Text::default(),
+        _ => " (on the mesh twice as fine, not extrapolated)".into(),
     };
     say!(
         "Case {}: {}{}. Most of its strain energy is in {}. Coloured by the displacement over its \

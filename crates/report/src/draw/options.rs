@@ -7,7 +7,8 @@ pub struct Field<'a> {
     pub name: &'a str,
     /// Its unit, for the legend; empty for a plain number.
     pub unit: &'a str,
-    /// One value per node; NaN where the field is not defined (shown grey).
+    /// One value per node; NaN where the field is not defined (shown grey, up to the middle of the
+    /// triangles there).
     pub values: &'a [f64],
     /// Lowest and highest value of the colours; absent: those of the field. Values outside have the
     /// first or last colour.

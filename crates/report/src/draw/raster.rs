@@ -146,7 +146,7 @@ impl Drawing<'_> {
             canvas.triangle(corners, |w, double_area| {
                 let mut colour = match (values, self.bands) {
                     (Some(v), Some(bands)) => {
-                        let value = v[0] * w[0] + v[1] * w[1] + v[2] * w[2];
+                        let value = between(v, w);
                         let flat = if value.is_nan() {
                             UNDEFINED
                         } else {
@@ -216,6 +216,20 @@ impl Drawing<'_> {
         let (_, median, _) = lengths.select_nth_unstable_by(middle, f64::total_cmp);
         0.55 * (*median / (8.0 * SAMPLES as f64)).clamp(0.25, 1.0)
     }
+}
+
+/// The value at a point of a triangle by its barycentric coordinates. Where the field is not
+/// defined at a corner, NaN near that corner and the value of the others beyond.
+#[inline]
+fn between(values: [f64; 3], w: [f64; 3]) -> f64 {
+    let value = values[0] * w[0] + values[1] * w[1] + values[2] * w[2];
+    if !value.is_nan() {
+        return value;
+    }
+    let defined = (0..3).filter(|k| !values[*k].is_nan());
+    let (sum, weight) =
+        defined.fold((0.0, 0.0), |(sum, weight), k| (sum + w[k] * values[k], weight + w[k]));
+    if weight > 0.5 { sum / weight } else { f64::NAN }
 }
 
 /// Distance of the point `x` from the segment from `a` to `b`.

@@ -8,6 +8,8 @@ use bracket_base::math::vec3::{V3, cross, dot, sub, unit};
 const LOOKED_FOR: usize = 24;
 /// Least cosine between a face and the eye at which the face is seen.
 const FACING: f64 = 0.2;
+/// Share of the places that the best view shows with which an earlier one is preferred.
+const ENOUGH: f64 = 0.6;
 /// Hits nearer than this part of the shape are the place itself.
 const ITSELF: f64 = 1e-6;
 
@@ -19,8 +21,8 @@ pub(super) struct Sight {
     pub seen: Vec<u32>,
 }
 
-/// Of eight views, from above and from below, the first from which most of the places are seen.
-/// `places` are points of the surface.
+/// The first of eight views, from above and then from below, that shows nearly as many of the places
+/// as the best of them. `places` are points of the surface.
 pub(super) fn sight(surface: &Surface, places: &[u32]) -> Sight {
     let step = places.len().div_ceil(LOOKED_FOR).max(1);
     let places: Vec<Place> = places.iter().step_by(step).map(|p| Place::new(surface, *p)).collect();
@@ -31,8 +33,11 @@ pub(super) fn sight(surface: &Surface, places: &[u32]) -> Sight {
         let seen = places.iter().filter(|p| p.is_seen(surface, eye)).map(|p| p.point);
         Sight { eye, seen: seen.collect() }
     });
-    let first = Sight { eye: unit([x, y, z]), seen: Vec::new() };
-    views.fold(first, |best, view| if view.seen.len() > best.seen.len() { view } else { best })
+    let views: Vec<Sight> = views.collect();
+    let most = views.iter().map(|v| v.seen.len()).max().unwrap_or(0);
+    let enough = |v: &Sight| v.seen.len() as f64 >= ENOUGH * most as f64;
+    let none = Sight { eye: unit([x, y, z]), seen: Vec::new() };
+    views.into_iter().find(enough).unwrap_or(none)
 }
 
 /// A point of a surface with its faces.

@@ -5,26 +5,22 @@ use crate::draw::canvas::Picture;
 use crate::draw::raster::{Colours, Field, Mark, PictureOptions, completed, draw_surface};
 use crate::draw::sight::sight;
 use crate::draw::surface::Surface;
-use crate::figures::{Rounding, significant};
+use crate::figures::{Rounding, percent, significant};
 use crate::result::case_result::CaseResult;
 use crate::words::Words;
 use bracket_base::math::vec3::{norm, sub};
 use bracket_base::say;
 use bracket_base::words::Text;
 use bracket_codes::route::{LARGEST_STRAIN, PlateStrain};
+use bracket_codes::unit::number;
 use bracket_engine::mesh::TetMesh;
 
 /// Strains that differ by less than this part are the same.
 const SAME: f64 = 1e-9;
 
-/// A strain in percent.
-pub(crate) fn percent(strain: f64) -> String {
-    significant(100.0 * strain, 3, Rounding::Nearest)
-}
-
 /// The membrane strain of a case at the vertices of a mesh, see
-/// [`crate::result::evidence::EvidencePlan::strains`]: the whole joint, and the part with the
-/// largest value alone, each from a side on which that value is seen. None without plates.
+/// [`crate::result::evidence::EvidencePlan::strains`]: the joint from a side on which the largest
+/// value is seen and, where there is none, also the part with that value alone. None without plates.
 pub fn strain_pictures(
     mesh: &TetMesh,
     strains: &[f64],
@@ -39,8 +35,7 @@ pub fn strain_pictures(
     let scene = Scene { mesh, values: &values, peak, words };
     let [x, y, z] = peak.membrane_at.map(|x| significant(x, 3, Rounding::Nearest));
     let place = say!("x = {}, y = {}, z = {} mm", x, y, z);
-    let largest = [peak.membrane, LARGEST_STRAIN].map(percent);
-    let [value, limit] = largest;
+    let [value, limit] = [percent(peak.membrane), number(100.0 * LARGEST_STRAIN)];
     let caption = say!(
         "Case {}: membrane strain of the plates, the largest principal strain as the mean over \
          prisms of the plate's thickness. The largest value is {} % in {} at {}; {} % are allowed \
@@ -53,18 +48,15 @@ pub fn strain_pictures(
         mesh.tets.len()
     );
     let alone = say!("Case {}: membrane strain of {} alone", &case.name, &peak.part);
-    let surface = completed(mesh, mirror);
+    let picture = |file: String, caption| PictureRef { file, caption, ..PictureRef::default() };
+    let (drawn, seen) = scene.draw(completed(mesh, mirror));
+    let mut out = vec![(picture(format!("strain_{stem}.png"), caption), drawn)];
     let body = mesh.bodies.iter().position(|b| *b == peak.part).and_then(|b| u32::try_from(b).ok());
-    let part = body.map(|body| completed(&only(mesh, body), mirror));
-    let pictures = [
-        (format!("strain_{stem}.png"), caption, Some(surface)),
-        (format!("part_strain_{stem}.png"), alone, part),
-    ];
-    let drawn = pictures.into_iter().filter_map(|(file, caption, surface)| {
-        let picture = scene.draw(surface?);
-        Some((PictureRef { file, caption, ..PictureRef::default() }, picture))
-    });
-    drawn.collect()
+    if let Some(body) = body.filter(|_| !seen) {
+        let (drawn, _) = scene.draw(completed(&only(mesh, body), mirror));
+        out.push((picture(format!("part_strain_{stem}.png"), alone), drawn));
+    }
+    out
 }
 
 /// The tets of one body.
@@ -89,7 +81,8 @@ struct Scene<'a> {
 }
 
 impl Scene<'_> {
-    fn draw(&self, surface: Surface) -> Picture {
+    /// The picture, and whether the largest value is seen and marked in it.
+    fn draw(&self, surface: Surface) -> (Picture, bool) {
         let Self { mesh, values, peak, words } = *self;
         let node = |n: u32| surface.origin[n as usize] as usize;
         let largest = values.iter().copied().filter(|v| !v.is_nan()).fold(0.0, f64::max);
@@ -97,16 +90,13 @@ impl Scene<'_> {
         let mut places: Vec<u32> = surface.triangles.iter().flat_map(|t| t.nodes).collect();
         places.sort_unstable();
         places.dedup();
-        // the middle of the prism is half a thickness below the surface
-        places.retain(|n| {
-            values[node(*n)] >= (1.0 - SAME) * largest && apart(*n) <= 2.0 * peak.thickness
-        });
+        places.retain(|n| values[node(*n)] >= (1.0 - SAME) * largest);
         let sight = sight(&surface, &places);
         let nearest = sight.seen.iter().min_by(|a, b| apart(**a).total_cmp(&apart(**b)));
         let limit = 100.0 * LARGEST_STRAIN;
         let said = |text: Text| words.say(&text);
-        let unit = say!("{} %", percent(peak.membrane)).to_string();
-        let note = said(say!("limit {} %", percent(LARGEST_STRAIN)));
+        let value = format!("{} %", percent(peak.membrane));
+        let note = said(say!("limit {} %", number(limit)));
         let field = Field {
             name: &said("membrane strain".into()),
             unit: "%",
@@ -114,7 +104,7 @@ impl Scene<'_> {
             range: Some([0.0, largest.min(limit)]),
             colours: Colours::Spectrum,
         };
-        let mark = nearest.map(|n| Mark { at: surface.points[*n as usize], text: &unit });
+        let mark = nearest.map(|n| Mark { at: surface.points[*n as usize], text: &value });
         let options = PictureOptions {
             eye: Some(sight.eye),
             field: Some(field),
@@ -123,6 +113,6 @@ impl Scene<'_> {
             note: Some(&note),
             ..PictureOptions::default()
         };
-        draw_surface(surface.clone(), &options)
+        (draw_surface(surface.clone(), &options), mark.is_some())
     }
 }

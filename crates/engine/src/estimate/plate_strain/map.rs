@@ -13,8 +13,8 @@ const ON_FACE: f64 = 1e-6;
 
 /// At each vertex of the mesh the largest membrane strain of the prisms that contain it, as a
 /// fraction; NaN where there is none: off the plates, and where the prisms do not count. A prism
-/// between the vertices stands at the one nearest to its middle, so that the largest value is that
-/// of [`super::plate_strains`].
+/// without a vertex on a face of the plate stands at the one nearest to its middle, so that the
+/// largest value on the faces is that of [`super::plate_strains`].
 pub fn membrane_at_nodes(
     model: &AnalysisModel,
     field: &PlasticField,
@@ -39,21 +39,30 @@ fn of_plate(
     let Some(sums) = sums_of(model, field, space, plate, PIECE) else { return Vec::new() };
     let near = ON_FACE * plate.thickness();
     let nodes = nodes_in(model, plate, near);
+    // those inside, those of the lower and those of the upper face
+    let [bottom, top] = plate.extent[2];
+    let on = |c: &V3, face: f64| (c[2] - face).abs() <= near;
+    let lower = |c: &V3| on(c, bottom) && !plate.mirrored[2];
+    let (above, rest): (Vec<_>, Vec<_>) = nodes.into_iter().partition(|(_, c)| on(c, top));
+    let (below, inside): (Vec<_>, Vec<_>) = rest.into_iter().partition(|(_, c)| lower(c));
     let mut out = Vec::new();
     for prism in prisms(&sums) {
         let Some(mean) = prism.mean() else { continue };
         let value = largest_in_plane(&mean);
         let spans = [0, 1].map(|i| prism.span(i));
-        let first = out.len();
-        let inside = |c: &V3| {
+        let holds = |(_, c): &&(usize, V3)| {
             spans.iter().zip(c).all(|([low, high], x)| low - near <= *x && *x <= high + near)
         };
-        out.extend(nodes.iter().filter(|(_, c)| inside(c)).map(|(n, _)| (*n, value)));
-        if out.len() == first {
-            let middle = spans.map(|[low, high]| 0.5 * (low + high));
-            let apart = |c: &V3| (c[0] - middle[0]).hypot(c[1] - middle[1]);
-            let nearest = nodes.iter().min_by(|a, b| apart(&a.1).total_cmp(&apart(&b.1)));
-            out.extend(nearest.map(|(n, _)| (*n, value)));
+        let middle = spans.map(|[low, high]| 0.5 * (low + high));
+        let apart = |(_, c): &(usize, V3)| (c[0] - middle[0]).hypot(c[1] - middle[1]);
+        out.extend(inside.iter().filter(holds).map(|(n, _)| (*n, value)));
+        for face in [&below, &above] {
+            let first = out.len();
+            out.extend(face.iter().filter(holds).map(|(n, _)| (*n, value)));
+            if out.len() == first {
+                let nearest = face.iter().min_by(|a, b| apart(a).total_cmp(&apart(b)));
+                out.extend(nearest.map(|(n, _)| (*n, value)));
+            }
         }
     }
     out

@@ -1,6 +1,8 @@
 use super::*;
+use crate::certify::plastic_field::length;
 use crate::estimate::fixtures::{apart, block, field, steel, turn, turned};
-use bracket_base::math::vec3::{add, cross};
+use crate::estimate::plate::Zone;
+use bracket_base::math::vec3::{add, cross, mul};
 use std::f64::consts::FRAC_PI_2;
 
 const FY: f64 = 235.0;
