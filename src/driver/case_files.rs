@@ -6,14 +6,17 @@ use bracket_base::diag::{Diagnostic, Diagnostics};
 use bracket_base::yaml;
 use bracket_engine::analysis::dispatch::AnalysisPass;
 use bracket_engine::analysis::limit;
+use bracket_engine::certify::fields::DisplacementField;
 use bracket_engine::certify::limit_certificate::dissipation_densities;
 use bracket_engine::mesh::msh_write;
 use bracket_engine::model::file::ModelFile;
 use bracket_engine::model::{AnalysisKind, AnalysisModel};
+use bracket_report::result::case_result::CaseResult;
 use bracket_report::result::fields::field_files::{
     displacement_grid, lower_grid, shift_grid, stress_grid, velocity_grid, yielding_stress_grid,
 };
 use bracket_report::result::fields::plastic_file::plastic_grid;
+use bracket_report::result::fields::route_files::{modes_grid, strain_grid};
 use bracket_report::result::fields::vtu::VtuGrid;
 use bracket_report::result::file_names::{DEAD_FIELD, LIVE_FIELD};
 use bracket_report::result::folder::ResultFolder;
@@ -48,6 +51,24 @@ pub fn write_passes(
         let [model, mesh] = ["yaml", "msh"].map(|end| format!("{stem}_{kind}.{end}"));
         write_model(pass, first, ["fields/", &model, &mesh], folder)?;
         write_fields((&pass.outcome, &pass.model), (stem, ""), folder, fields)?;
+    }
+    Ok(())
+}
+
+/// Writes the fields of the route of analysis: strains at the vertices of the model's mesh, and
+/// buckling modes on it.
+pub fn write_route(
+    model: &AnalysisModel,
+    (strains, modes): (Option<&[f64]>, &[DisplacementField]),
+    (entry, stem): (&CaseResult, &str),
+    folder: &ResultFolder,
+) -> Result<(), Diagnostics> {
+    let factors = entry.critical.iter().flat_map(|c| c.fine.clone()).collect::<Vec<_>>();
+    let strains = strains.map(|s| ("strain", strain_grid(model, s)));
+    let modes = modes_grid(model, modes, &factors).map(|grid| ("modes", grid));
+    for (kind, grid) in strains.into_iter().chain(modes) {
+        let bytes = grid.to_bytes().map_err(Diagnostic::from)?;
+        folder.write(&format!("fields/{stem}_{kind}.vtu"), &bytes)?;
     }
     Ok(())
 }

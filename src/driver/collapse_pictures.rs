@@ -2,7 +2,7 @@
 //! bound, each on the mesh of its own pass, cut open where most of it happens.
 
 use crate::driver::passes::Kept;
-use crate::driver::pictures::{enlargement, png};
+use crate::driver::pictures::png;
 use bracket_base::diag::Diagnostics;
 use bracket_base::math::vec3::{self, V3};
 use bracket_base::say;
@@ -14,6 +14,7 @@ use bracket_engine::certify::velocity_field::VelocityField;
 use bracket_engine::mesh::TetMesh;
 use bracket_engine::model::AnalysisModel;
 use bracket_report::document::picture::PictureRef;
+use bracket_report::draw::enlarged::{MARKED, enlargement, is_small};
 use bracket_report::draw::raster::{Colours, Deformed, Field, PictureOptions, draw};
 use bracket_report::draw::section::{Plane, Section};
 use bracket_report::draw::whole::Whole;
@@ -29,10 +30,6 @@ const BRIGHT: f64 = 0.5;
 const EXAGGERATED: f64 = 0.08;
 /// Slices of the shape in which the place of the cut is sought.
 const SLICES: usize = 40;
-/// Values from which a place belongs to the zone that is drawn enlarged, and the size of the zone
-/// over that of the shape below which it is.
-const MARKED: f64 = 0.2;
-const SMALL: f64 = 0.5;
 /// Largest number of places that a caption names, and the least share of a named place.
 const NAMED: (usize, f64) = (3, 0.05);
 
@@ -232,7 +229,7 @@ impl Zones<'_> {
         let values = at_nodes(&model.mesh, &self.densities);
         let mut mesh = whole.mesh.clone();
         let mut values = whole.scalars(&values);
-        let mut moved = displaced.map(|(u, _)| whole.vectors(u));
+        let mut moved = displaced.map(|(u, _)| whole.vectors(u, &[]));
         let plane = self.plane(model, axis, mirror.contains(&axis));
         let mut cut = Text::default();
         if let Some(plane) = plane {
@@ -277,9 +274,7 @@ impl Zones<'_> {
             ..PictureOptions::default()
         };
         let mut pictures = vec![png(&draw(&mesh, &options))?];
-        let marked =
-            || mesh.nodes.iter().zip(&values).filter(|(_, v)| **v >= MARKED).map(|(x, _)| *x);
-        if marked().count() > 0 && extent(marked()) < SMALL * extent(mesh.nodes.iter().copied()) {
+        if is_small(&mesh.nodes, &values) {
             let close = PictureOptions { around: Some(MARKED), ..options };
             pictures.push(png(&draw(&mesh, &close))?);
         }
@@ -340,14 +335,6 @@ pub fn at_nodes(mesh: &TetMesh, densities: &[f64]) -> Vec<f64> {
     }
     let mean = |(d, v): (f64, f64)| if v > 0.0 { d / v / top } else { 0.0 };
     nodes.into_iter().map(mean).collect()
-}
-
-/// Diagonal of the box around points \[mm\].
-fn extent(points: impl Iterator<Item = V3>) -> f64 {
-    let (low, high) = points.fold(([f64::MAX; 3], [f64::MIN; 3]), |(low, high), x| {
-        ([0, 1, 2].map(|d| low[d].min(x[d])), [0, 1, 2].map(|d| high[d].max(x[d])))
-    });
-    vec3::norm(vec3::sub(high, low))
 }
 
 /// Direction to the eye: along the axis from its positive (+1) or negative (−1) side, turned a

@@ -149,8 +149,9 @@ fn analysed(result: &ResultFile, facts: Option<&RouteFacts>, case: &String) -> A
         let measured = entries().find(|c| c.evidence.is_some());
         let meshes = measured.map_or_else(Vec::new, CaseResult::evidence_of_meshes);
         let critical = measured.and_then(|c| c.critical.as_ref());
+        let critical_unknown = measured.and_then(|c| c.critical_unknown.as_ref());
         let (lower, copies) = (c.factor_bounds().0, result.symmetry as usize);
-        route::steps(facts, Found { lower, copies, meshes: &meshes, critical })
+        route::steps(facts, Found { lower, copies, meshes: &meshes, critical, critical_unknown })
     });
     Analysed {
         case: case.clone(),

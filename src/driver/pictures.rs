@@ -10,6 +10,7 @@ use bracket_engine::model::AnalysisModel;
 use bracket_report::document::picture::PictureRef;
 use bracket_report::draw::Picture;
 use bracket_report::draw::contact_map::contact_map;
+use bracket_report::draw::enlarged::enlargement;
 use bracket_report::draw::plot::{Plot, Series};
 use bracket_report::draw::raster::{
     Colours, Deformed, Field, PictureOptions, completed, draw, draw_surface,
@@ -157,18 +158,3 @@ pub fn deformed_picture(
 
 /// Largest displacement of a drawn elastic shape, over the size of the shape.
 const VISIBLE: f64 = 0.05;
-
-/// A round factor that draws the largest displacement as at most `part` of the size of the shape;
-/// `None` if nothing moves.
-pub(crate) fn enlargement(nodes: &[V3], size: &[f64], part: f64) -> Option<f64> {
-    let largest = size.iter().fold(0.0f64, |a, b| a.max(*b));
-    if largest == 0.0 {
-        return None;
-    }
-    let (lo, hi) = nodes.iter().fold(([f64::MAX; 3], [f64::MIN; 3]), |(lo, hi), x| {
-        (std::array::from_fn(|d| lo[d].min(x[d])), std::array::from_fn(|d| hi[d].max(x[d])))
-    });
-    let wanted = part * vec3::norm(vec3::sub(hi, lo)) / largest;
-    let power = 10f64.powf(wanted.log10().floor());
-    Some([5.0, 2.0, 1.0].into_iter().map(|m| m * power).find(|f| *f <= wanted).unwrap_or(power))
-}

@@ -1,11 +1,14 @@
 //! The files that a run writes while it solves: mesh, models, fields and pictures of its cases.
 
-use crate::driver::case_files::{write_fields, write_passes};
+use crate::driver::case_files::{write_fields, write_passes, write_route};
 use crate::driver::collapse_pictures::collapse_pictures;
 use crate::driver::interrupt::Interrupt;
 use crate::driver::meshing::quality_table;
 use crate::driver::pass_entry::lower_stress;
-use crate::driver::pictures::{contact_pictures, convergence, deformed_picture, mesh_pictures};
+use crate::driver::passes::Kept;
+use crate::driver::pictures::{
+    contact_pictures, convergence, deformed_picture, mesh_pictures, png,
+};
 use crate::driver::present::Drawn;
 use crate::driver::scene::add_case;
 use crate::driver::setup::RunSetup;
@@ -20,7 +23,10 @@ use bracket_joint::spec::connection::Language;
 use bracket_report::document::picture::PictureRef;
 use bracket_report::document::table::Table;
 use bracket_report::draw::load_steps;
+use bracket_report::draw::mode_picture::mode_pictures;
+use bracket_report::draw::strain_picture::strain_pictures;
 use bracket_report::page::scene::Scene;
+use bracket_report::result::evidence::Side;
 use bracket_report::result::file_names::step_suffix;
 use bracket_report::result::folder::ResultFolder;
 use bracket_report::words::Words;
@@ -82,7 +88,7 @@ impl RunSink for RunFiles<'_> {
     }
 
     fn solved(&mut self, case: &SolvedCase<'_>, setup: &RunSetup) -> Result<(), Diagnostics> {
-        let SolvedCase { adapted, stem, model_file: (model_name, first), alone } = *case;
+        let SolvedCase { adapted, stem, model_file: (model_name, first), alone, modes } = *case;
         let (entry, upper, folder) = (&adapted.entry, &adapted.upper, self.folder);
         // the first mesh is `mesh.msh`; it stays where something else needs it
         let only = alone && !adapted.keeps_first_mesh();
@@ -97,6 +103,8 @@ impl RunSink for RunFiles<'_> {
             }
             _ => Vec::new(),
         };
+        let strains = entry.evidence.as_ref().and_then(|_| strains_of(upper, setup));
+        write_route(&upper.model, (strains.as_deref(), modes), (entry, stem), folder)?;
         let pictures = &mut self.pictures;
         if let Some((_, _, quality)) = &upper.made
             && pictures.is_empty()
@@ -120,6 +128,15 @@ impl RunSink for RunFiles<'_> {
         if !self.interrupt.asked() {
             pictures.extend(deformed_picture(upper, names, (mirror, &self.words), folder)?);
         }
+        if !self.interrupt.asked() {
+            let (mesh, how) = (&upper.model.mesh, (stem, mirror, &self.words));
+            let strain = strains.map_or_else(Vec::new, |s| strain_pictures(mesh, &s, entry, how));
+            for (picture, drawn) in strain.into_iter().chain(mode_pictures(mesh, modes, entry, how))
+            {
+                folder.write(&picture.file, &png(&drawn)?)?;
+                pictures.push(picture);
+            }
+        }
         pictures.extend(maps);
         if let Some((picture, text)) = load_steps::drawing(entry, stem) {
             folder.write(&picture.file, text.as_bytes())?;
@@ -129,6 +146,12 @@ impl RunSink for RunFiles<'_> {
         pictures.extend(convergence(entry, target, (stem, &self.words), folder)?);
         Ok(())
     }
+}
+
+/// The membrane strain at the vertices of a pass, where the route of analysis asks for it.
+fn strains_of(Kept { outcome, model, .. }: &Kept, setup: &RunSetup) -> Option<Vec<f64>> {
+    let AnalysisPass::Energy(pass) = outcome else { return None };
+    setup.evidence.as_ref()?.strains(Side { model, pass })
 }
 
 /// Writes the data that pass between the stages: the assembly and the mesher's script.

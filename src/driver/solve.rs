@@ -17,10 +17,12 @@ use bracket_codes::route::NextMesh;
 use bracket_codes::verdict::Verdict;
 use bracket_engine::analysis::dispatch::AnalysisPass;
 use bracket_engine::certify::faces::contact_faces;
+use bracket_engine::certify::fields::DisplacementField;
 use bracket_engine::model::{AnalysisKind, AnalysisModel};
 use bracket_engine::solve::Patterns;
 use bracket_report::console::log::Log;
 use bracket_report::markdown::report_data::ModelTraits;
+use bracket_report::result::buckled::Buckled;
 use bracket_report::result::evidence::Side;
 use bracket_report::result::forces::static_forces;
 use bracket_report::result::preload::mark_halved;
@@ -77,10 +79,11 @@ pub fn solve(
             .time
             .map_or(f64::INFINITY, |t| now + (t - now).max(0.0) / (asked.len() - i) as f64);
         let mut adapted = begun.end(until, &setup.refinement, limits)?;
-        complete(&mut adapted, setup, log);
+        let modes = complete(&mut adapted, setup, log);
         let (stem, alone) = (stems[i].as_str(), asked.len() == 1);
         add_load_steps(&mut adapted, (setup, stem), until, limits, sink, log)?;
-        let case = SolvedCase { adapted: &adapted, stem, model_file: &model_file, alone };
+        let case =
+            SolvedCase { adapted: &adapted, stem, model_file: &model_file, alone, modes: &modes };
         sink.solved(&case, setup)?;
         let Adapted { entry, upper, .. } = adapted;
         if let (Some(directions), Some(direction)) = (&mut directions, direction) {
@@ -102,8 +105,9 @@ pub fn refused(solved: &[CaseResult], (name, kind): &(String, AnalysisKind)) -> 
 }
 
 /// Adds to the entry of a case what its fields show: a warning if a program did not fit into the
-/// memory, preloads of halved bolts, and the forces of the static field.
-fn complete(adapted: &mut Adapted, setup: &RunSetup, log: &Log) {
+/// memory, preloads of halved bolts, the forces of the static field, and the numbers of the route of
+/// analysis. Returns the buckling modes.
+fn complete(adapted: &mut Adapted, setup: &RunSetup, log: &Log) -> Vec<DisplacementField> {
     let RunSetup { mirror, bolts, .. } = setup;
     let Adapted { entry, upper, lower, .. } = adapted;
     if upper.outcome.runs().iter().any(|(_, run)| run.refusal.is_some()) {
@@ -132,9 +136,16 @@ fn complete(adapted: &mut Adapted, setup: &RunSetup, log: &Log) {
         // where another step is open they change nothing
         if plan.next_mesh(&entry.evidence_of_meshes()) == NextMesh::None {
             log.stage("critical factors of buckling");
-            entry.critical = plan.critical(upper, lower);
+            match plan.critical(upper, lower) {
+                Ok(Buckled { factors, shapes }) => {
+                    entry.critical = Some(factors);
+                    return shapes;
+                }
+                Err(why) => entry.critical_unknown = Some(why),
+            }
         }
     }
+    Vec::new()
 }
 
 /// The passes of both bounds of an energy.

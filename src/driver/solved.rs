@@ -6,6 +6,7 @@ use crate::driver::spec_file::SpecFile;
 use bracket_base::diag::Diagnostics;
 use bracket_base::words::Text;
 use bracket_engine::analysis::dispatch::AnalysisPass;
+use bracket_engine::certify::fields::DisplacementField;
 use bracket_engine::model::AnalysisModel;
 use bracket_engine::model::file::ModelFile;
 use bracket_joint::meshing::joint::JointMesh;
@@ -47,6 +48,8 @@ pub struct SolvedCase<'a> {
     pub model_file: &'a (String, ModelFile),
     /// True if the run has no other case.
     pub alone: bool,
+    /// Buckling modes on the mesh of its fields, for the route of analysis.
+    pub modes: &'a [DisplacementField],
 }
 
 /// Takes what a run makes on the way. The fields of a large mesh fill the memory, so that each case

@@ -23,13 +23,14 @@ use std::path::{Component, Path};
 
 /// Keys of `result.json` whose values no file of a result proves, as `docs/results.md` lists them.
 /// `[]` stands for every entry of a list; the keys below a listed one are recorded too.
-pub const RECORDED: [&str; 13] = [
+pub const RECORDED: [&str; 14] = [
     "tool.version",
     "warnings",
     "cases[].warnings",
     "cases[].coulomb_estimate",
     "cases[].fixed_point",
     "cases[].evidence_before",
+    "cases[].critical_unknown",
     "cases[].history[].kinematic",
     "cases[].history[].static",
     "cases[].history[].static_frictionless",
@@ -45,7 +46,8 @@ const RECORDED_TOO: [&str; 5] = [
     "of `history`: sizes and gaps of meshes without a best bound, `so_far` where it is not strict",
     "an upper bound `unbounded` that is not strict",
     "the name of the case of a `model.yaml`, which is that of its folder",
-    "reports, pictures and drawings; all of report.json but the input",
+    "reports, pictures and drawings, the fields `strain` and `modes` that pictures are made from; \
+     all of report.json but the input",
 ];
 
 /// The outcome of the verification of a folder.

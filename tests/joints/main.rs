@@ -14,6 +14,7 @@ mod load_steps;
 mod numbers;
 mod preload;
 mod public_cases;
+mod route_pictures;
 mod stiffness;
 mod suggested_values;
 mod t_stubs_by_template;

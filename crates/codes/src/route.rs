@@ -25,6 +25,7 @@ pub use facts::{RouteFacts, WeldFacts};
 pub use stability::LARGEST_CRITICAL;
 pub use step::{RouteStep, RouteUse, StepId, StepState};
 pub use steps::{Found, NextMesh, is_complete, next_mesh, steps};
+pub use strain::LARGEST_STRAIN;
 
 #[cfg(test)]
 mod tests;

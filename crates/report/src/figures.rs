@@ -22,6 +22,11 @@ impl CaseResult {
     }
 }
 
+/// A fraction in percent, with three digits.
+pub fn percent(fraction: f64) -> String {
+    significant(100.0 * fraction, 3, Rounding::Nearest)
+}
+
 impl LoadSize {
     /// Unit of the report.
     pub fn unit(self) -> &'static str {

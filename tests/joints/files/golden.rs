@@ -80,6 +80,7 @@ fn case(name: &str) -> CaseResult {
         evidence: None,
         evidence_before: Vec::new(),
         critical: None,
+        critical_unknown: None,
         joint_stiffness: None,
         certificate: Some(Certificate {
             strict: true,

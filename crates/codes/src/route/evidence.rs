@@ -79,6 +79,10 @@ pub struct CriticalMode {
     pub share: f64,
     /// Where it moves most \[mm\].
     pub at: [f64; 3],
+    /// Normals of the planes of symmetry to which it is antisymmetric, 0 = x; it is symmetric to
+    /// the others.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub antisymmetric: Vec<usize>,
 }
 
 /// Lines of force of a weld, or of the two welds on either side of a plate.

@@ -17,20 +17,33 @@ pub const LARGEST_CRITICAL: f64 = 100.0;
 /// Ratio of the element sizes of the two meshes.
 const REFINED: f64 = 2.0;
 
+impl CriticalFactors {
+    /// The critical factor that counts: 0.95 of what follows from the lowest one of either mesh.
+    pub fn counted(&self) -> f64 {
+        let least = |modes: &[CriticalMode]| modes.first().map_or(LARGEST_CRITICAL, |m| m.factor);
+        conservative(least(&self.coarse), least(&self.fine), REFINED)
+    }
+}
+
 /// The step: `ρ α_ult,k/γ_M1 ≥ 1` with `α_ult,k = γ_M0 λ_low` and the curve that errs to the safe
 /// side.
 pub(super) fn stability(
     facts: &RouteFacts,
     critical: Option<&CriticalFactors>,
+    unknown: Option<&Text>,
     lower: Option<f64>,
 ) -> RouteStep {
-    let (Some(CriticalFactors { coarse, fine }), Some(lower)) = (critical, lower) else {
-        let finding = "the critical factor is not known".into();
+    let (Some(factors), Some(lower)) = (critical, lower) else {
+        let finding = match unknown {
+            Some(why) => say!("the critical factor is not known: {}", why),
+            None => "the critical factor is not known".into(),
+        };
         return RouteStep::open(StepId::Stability, finding, SOURCE, SUPPLY);
     };
-    let least = |modes: &[CriticalMode]| modes.first().map_or(LARGEST_CRITICAL, |m| m.factor);
-    let critical = conservative(least(coarse), least(fine), REFINED);
-    let part = fine.first().or(coarse.first()).map_or_else(Text::default, |m| Text::given(&m.part));
+    let critical = factors.counted();
+    let first = factors.fine.first().or(factors.coarse.first());
+    let stable = || say!("nothing buckles up to {}", crate::unit::number(LARGEST_CRITICAL));
+    let part = first.map_or_else(stable, |m| Text::given(&m.part));
     let ultimate = facts.factors.gamma_m0 * lower;
     let rho = reduction(ultimate, critical);
     let factors = [ultimate, critical, rho].map(crate::unit::number);

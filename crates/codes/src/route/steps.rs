@@ -11,6 +11,7 @@ use super::strain::strain;
 use super::welds::welds;
 use crate::unit::Unit;
 use bracket_base::say;
+use bracket_base::words::Text;
 
 /// What the analyses of a load case have found.
 #[derive(Clone, Copy, Debug)]
@@ -23,6 +24,8 @@ pub struct Found<'a> {
     pub meshes: &'a [Evidence],
     /// Critical factors of the last of them.
     pub critical: Option<&'a CriticalFactors>,
+    /// Why they are not known.
+    pub critical_unknown: Option<&'a Text>,
 }
 
 const STRENGTH: &str = "EN 1993-1-8:2005 2.5(1) a, b; lower bound theorem of limit analysis";
@@ -39,7 +42,7 @@ pub fn steps(facts: &RouteFacts, found: Found<'_>) -> Vec<RouteStep> {
     };
     out.push(bolts(facts, found.meshes, found.copies));
     out.push(strain(found.meshes));
-    out.push(stability(facts, found.critical, found.lower));
+    out.push(stability(facts, found.critical, found.critical_unknown, found.lower));
     out.push(welds(facts, last, found.copies));
     out
 }

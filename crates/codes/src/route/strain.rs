@@ -7,7 +7,7 @@ use bracket_base::say;
 
 const SOURCE: &str = "EN 1993-1-5:2006 Annex C.8, Note 1";
 /// Largest principal membrane strain, a fraction.
-const LIMIT: f64 = 0.05;
+pub const LARGEST_STRAIN: f64 = 0.05;
 /// Largest difference between the last two meshes, a fraction.
 const SPREAD: f64 = 0.01;
 const NARROW: &str = "a second, finer mesh (`max_passes`, `time_limit`)";
@@ -36,7 +36,7 @@ pub(super) fn strain(meshes: &[Evidence]) -> RouteStep {
             what: say!("membrane strain of {}", &p.part),
             value: p.membrane + spread,
             spread: Some(spread),
-            limit: LIMIT,
+            limit: LARGEST_STRAIN,
             unit: Unit::Number,
             source: SOURCE.into(),
         }

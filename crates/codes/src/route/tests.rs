@@ -41,7 +41,13 @@ fn plate(membrane: f64) -> PlateStrain {
 }
 
 fn mode(factor: f64) -> CriticalMode {
-    CriticalMode { factor, part: "BEAM_R".into(), share: 1.0, at: [0.0; 3] }
+    CriticalMode {
+        factor,
+        part: "BEAM_R".into(),
+        share: 1.0,
+        at: [0.0; 3],
+        antisymmetric: Vec::new(),
+    }
 }
 
 /// Evidence that holds: two meshes, small strains.
@@ -60,7 +66,7 @@ fn critical(coarse: f64, fine: f64) -> CriticalFactors {
 }
 
 fn found<'a>(meshes: &'a [Evidence], critical: &'a CriticalFactors) -> Found<'a> {
-    Found { lower: Some(1.2), copies: 1, meshes, critical: Some(critical) }
+    Found { lower: Some(1.2), copies: 1, meshes, critical: Some(critical), critical_unknown: None }
 }
 
 fn state(steps: &[RouteStep], id: StepId) -> StepState {
@@ -147,7 +153,11 @@ fn each_step_opens_alone() {
     only_open(found(&good, &critical(30.0, 2.0)), StepId::Stability);
     let fine_alone = CriticalFactors { coarse: Vec::new(), fine: vec![mode(20.0)] };
     only_open(found(&good, &fine_alone), StepId::Stability);
-    only_open(Found { critical: None, ..found(&good, &stable) }, StepId::Stability);
+    let (none, why) = (Found { critical: None, ..found(&good, &stable) }, "no memory".into());
+    only_open(none, StepId::Stability);
+    let told = steps(&facts, Found { critical_unknown: Some(&why), ..none });
+    let step = told.iter().find(|s| s.step == StepId::Stability).expect("a step");
+    assert_eq!(step.finding, "the critical factor is not known: no memory");
     let none = CriticalFactors { coarse: Vec::new(), fine: Vec::new() };
     assert!(is_complete(&steps(&facts, found(&good, &none))));
     // without hand checks the lower bound needs a reserve

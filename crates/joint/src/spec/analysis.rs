@@ -68,7 +68,8 @@ pub enum BoltModel {
     #[default]
     Yielding,
     /// They stay elastic, with the stiffness of their stress area: no force is redistributed by
-    /// bolts that yield. Preload is tightened before the loads act.
+    /// bolts that yield. Preload is tightened before the loads act; what a verdict by analysis
+    /// needs leaves it out.
     Elastic,
 }
 

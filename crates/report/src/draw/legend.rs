@@ -2,16 +2,22 @@
 //! names.
 
 use crate::draw::canvas::Canvas;
+use crate::draw::canvas::SAMPLES;
 use crate::draw::lettering::text_width;
-use crate::draw::options::{Field, PictureOptions};
-use crate::draw::palette::{BODY_COLOURS, Bands, Groups, INK, nice};
+use crate::draw::options::{Field, Mark, PictureOptions};
+use crate::draw::palette::{BACKGROUND, BODY_COLOURS, Bands, Groups, INK, nice};
 use crate::draw::view::{LEGEND, LETTER, MARGIN, View};
 
 /// Height of the capitals of body names \[pixels\]: there may be ten of them in a line.
 const NAME: f64 = 14.0;
 
-/// The colour legend of a field, its top at the picture's top.
-pub(super) fn legend(canvas: &mut Canvas, bands: &Bands, field: Field, left: f64, bottom: f64) {
+/// The colour legend of a field with a line below it, from the picture's top to `bottom`.
+pub(super) fn legend(
+    canvas: &mut Canvas,
+    bands: &Bands,
+    (field, note): (Field, Option<&str>),
+    [left, bottom]: [f64; 2],
+) {
     let mut y = MARGIN + LETTER;
     let mut title = |canvas: &mut Canvas, text: &str| {
         let size = LETTER.min(LETTER * (LEGEND - 32.0) / text_width(text, LETTER).max(1.0));
@@ -22,7 +28,8 @@ pub(super) fn legend(canvas: &mut Canvas, bands: &Bands, field: Field, left: f64
     if !field.unit.is_empty() {
         title(canvas, &format!("[{}]", field.unit));
     }
-    let height = ((bottom - y - 4.0 * LETTER) / bands.count as f64).clamp(8.0, 44.0);
+    let foot = if note.is_some() { 5.5 } else { 4.0 } * LETTER;
+    let height = ((bottom - y - foot) / bands.count as f64).clamp(8.0, 44.0);
     let top = y;
     let label_every = (1.6 * LETTER / height).ceil().max(1.0) as usize;
     for i in 0..bands.count {
@@ -52,7 +59,39 @@ pub(super) fn legend(canvas: &mut Canvas, bands: &Bands, field: Field, left: f64
             LETTER * 0.8,
             INK,
         );
+        if let Some(note) = note {
+            canvas.text(note, left, foot + 3.0 * LETTER, LETTER * 0.8, INK);
+        }
     }
+}
+
+/// Radius of the ring around a marked point, and length of the line to its text \[pixels\].
+const RING: f64 = 11.0;
+const LEADER: f64 = 60.0;
+
+/// A ring around a point of the shape, and a text in a box beside it, left of `right`.
+pub(super) fn mark(canvas: &mut Canvas, view: &View, marked: Mark, right: f64) {
+    let [x, y, _] = view.sample(marked.at).map(|x| x / SAMPLES as f64);
+    let corner = |i: u32| {
+        let angle = f64::from(i) * std::f64::consts::PI / 12.0;
+        [x + RING * angle.cos(), y + RING * angle.sin()]
+    };
+    for (half, ink) in [(2.6, BACKGROUND), (1.2, INK)] {
+        (0..24).for_each(|i| canvas.line(corner(i), corner(i + 1), half, ink));
+    }
+    let (width, height) = (text_width(marked.text, LETTER) + 16.0, LETTER + 14.0);
+    // to the side and height on which there is room
+    let aside = if x + RING + LEADER + width < right { 1.0 } else { -1.0 };
+    let upwards = if y > RING + LEADER + height { -1.0 } else { 1.0 };
+    let diagonal = std::f64::consts::FRAC_1_SQRT_2;
+    let from = [x + aside * RING * diagonal, y + upwards * RING * diagonal];
+    let to = [x + aside * LEADER, y + upwards * LEADER];
+    canvas.line(from, to, 1.2, INK);
+    let left = if aside > 0.0 { to[0] } else { to[0] - width };
+    let [top, low] = [to[1] - 0.5 * height, to[1] + 0.5 * height];
+    canvas.rectangle([left, top], [left + width, low], BACKGROUND);
+    canvas.frame([left, top], [left + width, low], INK);
+    canvas.text(marked.text, left + 8.0, to[1] + 0.5 * LETTER, LETTER, INK);
 }
 
 fn four_digits(x: f64) -> String {

@@ -98,6 +98,7 @@ fn strokes(letter: char) -> &'static str {
         '%' => "0248 0718271607 2334433223",
         '²' => "1728371535",
         '³' => "183827362515",
+        'α' => "46342212030516263442",
         'σ' => "461605031222333526",
         'λ' => "081842 2602",
         '#' => "1218 3238 0444 0646",
@@ -153,7 +154,7 @@ mod tests {
     #[test]
     fn every_printable_letter_is_drawn_inside_its_cell() {
         for letter in
-            (' '..='~').chain("−–µμ²³·×°σλ…äöüÄÖÜß".chars()).filter(|c| !"$&@\\^`{}~".contains(*c))
+            (' '..='~').chain("−–µμ²³·×°ασλ…äöüÄÖÜß".chars()).filter(|c| !"$&@\\^`{}~".contains(*c))
         {
             assert!(letter == ' ' || strokes(letter) != strokes('\u{0}'), "{letter} is not drawn");
             for line in strokes(letter).split(' ').filter(|_| letter != ' ') {

@@ -7,7 +7,8 @@ pub struct Field<'a> {
     pub name: &'a str,
     /// Its unit, for the legend; empty for a plain number.
     pub unit: &'a str,
-    /// One value per node; NaN where the field is not defined (shown grey).
+    /// One value per node; NaN where the field is not defined (shown grey, up to the middle of the
+    /// triangles there).
     pub values: &'a [f64],
     /// Lowest and highest value of the colours; absent: those of the field. Values outside have the
     /// first or last colour.
@@ -39,6 +40,15 @@ pub struct Deformed<'a> {
     pub caption: &'a str,
 }
 
+/// A point of the shape with a text beside it.
+#[derive(Clone, Copy, Debug)]
+pub struct Mark<'a> {
+    /// The point \[mm\].
+    pub at: [f64; 3],
+    /// What stands there: `1.2 %`.
+    pub text: &'a str,
+}
+
 /// Options for a picture.
 #[derive(Clone, Debug)]
 pub struct PictureOptions<'a> {
@@ -64,6 +74,10 @@ pub struct PictureOptions<'a> {
     pub deformed: Option<Deformed<'a>>,
     /// Whether the edges of the given shape are drawn behind the deformed one.
     pub ghost: bool,
+    /// A marked point of the shape at rest.
+    pub mark: Option<Mark<'a>>,
+    /// A line below the legend: `limit 5 %`.
+    pub note: Option<&'a str>,
 }
 
 impl Default for PictureOptions<'_> {
@@ -79,6 +93,8 @@ impl Default for PictureOptions<'_> {
             field: None,
             deformed: None,
             ghost: false,
+            mark: None,
+            note: None,
         }
     }
 }

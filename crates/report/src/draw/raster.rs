@@ -6,8 +6,8 @@
 //! remain hidden without a depth offset.
 
 use crate::draw::canvas::{Canvas, Picture, SAMPLES};
-use crate::draw::legend::{legend, strip};
-pub use crate::draw::options::{Colours, Deformed, Field, PictureOptions};
+use crate::draw::legend::{legend, mark, strip};
+pub use crate::draw::options::{Colours, Deformed, Field, Mark, PictureOptions};
 use crate::draw::palette::{BACKGROUND, Bands, FRAME, Groups, INK, UNDEFINED, mix};
 use crate::draw::surface::{EdgeKind, Surface, unit_normal};
 use crate::draw::view::{LEGEND, View, natural_eye};
@@ -74,7 +74,12 @@ pub fn draw_surface(mut surface: Surface, options: &PictureOptions) -> Picture {
         canvas.frame([1.0, 1.0], [right - 1.0, view.strip_top - 1.0], FRAME);
     }
     if let (Some(bands), Some(field)) = (&bands, options.field) {
-        legend(&mut canvas, bands, field, view.width as f64 - LEGEND + 16.0, view.strip_top);
+        let corner = [view.width as f64 - LEGEND + 16.0, view.strip_top];
+        legend(&mut canvas, bands, (field, options.note), corner);
+    }
+    if let Some(marked) = options.mark {
+        let right = view.width as f64 - if bands.is_some() { LEGEND } else { 0.0 };
+        mark(&mut canvas, &view, marked, right);
     }
     strip(&mut canvas, &view, &groups, options);
     canvas.finish()
@@ -141,7 +146,7 @@ impl Drawing<'_> {
             canvas.triangle(corners, |w, double_area| {
                 let mut colour = match (values, self.bands) {
                     (Some(v), Some(bands)) => {
-                        let value = v[0] * w[0] + v[1] * w[1] + v[2] * w[2];
+                        let value = between(v, w);
                         let flat = if value.is_nan() {
                             UNDEFINED
                         } else {
@@ -211,6 +216,20 @@ impl Drawing<'_> {
         let (_, median, _) = lengths.select_nth_unstable_by(middle, f64::total_cmp);
         0.55 * (*median / (8.0 * SAMPLES as f64)).clamp(0.25, 1.0)
     }
+}
+
+/// The value at a point of a triangle by its barycentric coordinates. Where the field is not
+/// defined at a corner, NaN near that corner and the value of the others beyond.
+#[inline]
+fn between(values: [f64; 3], w: [f64; 3]) -> f64 {
+    let value = values[0] * w[0] + values[1] * w[1] + values[2] * w[2];
+    if !value.is_nan() {
+        return value;
+    }
+    let defined = (0..3).filter(|k| !values[*k].is_nan());
+    let (sum, weight) =
+        defined.fold((0.0, 0.0), |(sum, weight), k| (sum + w[k] * values[k], weight + w[k]));
+    if weight > 0.5 { sum / weight } else { f64::NAN }
 }
 
 /// Distance of the point `x` from the segment from `a` to `b`.

@@ -58,9 +58,13 @@ impl Whole {
         self.origin.iter().map(|n| field[*n as usize]).collect()
     }
 
-    /// The same for a vector field.
-    pub fn vectors(&self, field: &[V3]) -> Vec<V3> {
-        let value = |(n, s): (&u32, &V3)| [0, 1, 2].map(|k| s[k] * field[*n as usize][k]);
+    /// The same for a vector field. It is antisymmetric to the planes with the normals `odd`, and
+    /// symmetric to the others.
+    pub fn vectors(&self, field: &[V3], odd: &[usize]) -> Vec<V3> {
+        let value = |(n, s): (&u32, &V3)| {
+            let turned: f64 = odd.iter().map(|axis| s[*axis]).product();
+            [0, 1, 2].map(|k| turned * s[k] * field[*n as usize][k])
+        };
         self.origin.iter().zip(&self.signs).map(value).collect()
     }
 }
@@ -83,7 +87,11 @@ mod tests {
         assert_eq!((whole.mesh.nodes.len(), whole.mesh.tets.len()), (7, 8));
         let volume: f64 = (0..8).map(|e| whole.mesh.volume(e)).sum();
         assert!((0..8).all(|e| whole.mesh.volume(e) > 0.0) && (volume - 8.0 / 6.0).abs() < 1e-14);
-        assert_eq!(whole.vectors(&mesh.nodes), whole.mesh.nodes);
+        assert_eq!(whole.vectors(&mesh.nodes, &[]), whole.mesh.nodes);
+        // antisymmetric to x = 0: the component along x is even, the others are odd
+        let odd = whole.vectors(&[[1.0, 2.0, 3.0]; 4], &[0]);
+        let image = whole.mesh.nodes.iter().position(|x| x[0] < 0.0).expect("an image");
+        assert_eq!((odd[1], odd[image]), ([1.0, 2.0, 3.0], [1.0, -2.0, -3.0]));
         assert_eq!(whole.scalars(&[5.0, 1.0, 2.0, 3.0])[1..4], [1.0, 2.0, 3.0]);
     }
 }

@@ -2,13 +2,14 @@
 
 use crate::document::Doc;
 use crate::document::table::{Table, bold, dash};
-use crate::figures::{Rounding, utilisation};
+use crate::figures::{Rounding, percent, significant, utilisation};
 use crate::result::case_result::CaseResult;
 use crate::result::quantity::Quantity;
 use crate::result::result_file::ResultFile;
 use bracket_base::say;
 use bracket_base::words::Text;
-use bracket_codes::route::{RouteStep, RouteUse, StepState};
+use bracket_codes::route::{LARGEST_STRAIN, PlateStrain, RouteStep, RouteUse, StepState};
+use bracket_codes::unit::number;
 use bracket_codes::verdict::{Route, Verdict};
 
 /// The section of the report.
@@ -48,6 +49,7 @@ pub(crate) fn steps(doc: &mut Doc, result: &ResultFile) {
             let columns = ["largest values", "value", "difference in it", "limit", "utilisation"];
             doc.table(&Table::new(columns, rows));
         }
+        strains(doc, result, &case.name);
         let open = steps
             .iter()
             .filter(|s| !s.holds())
@@ -67,6 +69,47 @@ fn of_case<'a>(case: &'a CaseResult, result: &ResultFile) -> Option<&'a [RouteSt
     // each load case once, beside its limit analysis
     let limit = case.quantity == Quantity::LoadFactor;
     (limit && (measured || matters)).then_some(&demand.steps[..])
+}
+
+/// The largest strains of each part on the last mesh, by thickness: flanges and webs are apart.
+fn strains(doc: &mut Doc, result: &ResultFile, name: &str) {
+    let evidence = result.cases.iter().filter(|c| c.name == name).find_map(|c| c.evidence.as_ref());
+    let mut largest: Vec<&PlateStrain> = Vec::new();
+    for plate in evidence.iter().flat_map(|e| &e.plates) {
+        let same = |p: &&mut &PlateStrain| p.part == plate.part && p.thickness == plate.thickness;
+        match largest.iter_mut().find(same) {
+            Some(kept) if plate.membrane > kept.membrane => *kept = plate,
+            Some(_) => {}
+            None => largest.push(plate),
+        }
+    }
+    if largest.is_empty() {
+        return;
+    }
+    largest.sort_by(|a, b| b.membrane.total_cmp(&a.membrane));
+    doc.paragraph(say!(
+        "Largest strains of the plates on the last mesh. The membrane strain is the largest \
+         principal strain, as the mean over a prism of the plate's thickness, elastic strain \
+         included; {} % are allowed. The strain at a surface is equivalent plastic strain, as the \
+         mean over the outer quarter of such a prism, and is no part of the check:",
+        number(100.0 * LARGEST_STRAIN)
+    ));
+    let columns = [
+        "part",
+        "thickness [mm]",
+        "membrane strain [%]",
+        "at x, y, z [mm]",
+        "plastic strain at a surface [%]",
+        "at x, y, z [mm]",
+    ];
+    let at = |x: [f64; 3]| x.map(|x| significant(x, 3, Rounding::Nearest)).join(", ");
+    let row = |p: &&PlateStrain| {
+        let thickness = number(p.thickness);
+        let (membrane, surface) = (percent(p.membrane), percent(p.surface));
+        [p.part.clone(), thickness, membrane, at(p.membrane_at), surface, at(p.surface_at)]
+            .map(Text::from)
+    };
+    doc.table(&Table::new(columns, largest.iter().map(row)));
 }
 
 fn step_row(s: &RouteStep) -> [Text; 5] {

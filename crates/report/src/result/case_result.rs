@@ -83,6 +83,9 @@ pub struct CaseResult {
     /// Critical factors of linear buckling, for the route of analysis.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub critical: Option<CriticalFactors>,
+    /// Why they are not known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub critical_unknown: Option<Text>,
     /// Elastic analysis of a joint under one moment: the bracket of its initial stiffness.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub joint_stiffness: Option<JointStiffness>,

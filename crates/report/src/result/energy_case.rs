@@ -355,6 +355,7 @@ pub fn case_result(
         evidence: None,
         evidence_before: Vec::new(),
         critical: None,
+        critical_unknown: None,
         joint_stiffness: None,
         certificate: certificate(pass),
         history: vec![HistoryRow {

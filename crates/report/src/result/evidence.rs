@@ -1,30 +1,21 @@
 //! Estimates for the route of analysis, from the fields of elastoplastic analysis with elastic
 //! bolts on one mesh.
 
-use bracket_base::math::vec3;
 use bracket_codes::route::{
-    BoltSections, CriticalFactors, CriticalMode, Evidence, LARGEST_CRITICAL, NextMesh, PlateStrain,
-    RouteFacts, SectionForce, WeldForce, WeldForces, next_mesh,
+    BoltSections, Evidence, NextMesh, PlateStrain, RouteFacts, SectionForce, WeldForce, WeldForces,
+    next_mesh,
 };
 use bracket_engine::analysis::energy_pass::EnergyPass;
 use bracket_engine::certify::fields::{DisplacementField, StressField};
 use bracket_engine::elements::space::Tet10Space;
-use bracket_engine::estimate::buckling::{BucklingOptions, buckling};
-use bracket_engine::estimate::plate_strain::plate_strains;
-use bracket_engine::estimate::refined::refined;
+use bracket_engine::estimate::plate_strain::{membrane_at_nodes, plate_strains};
 use bracket_engine::estimate::section_forces::SectionPlane;
 use bracket_engine::estimate::weld_forces::{WeldBand, line_forces};
 use bracket_engine::model::AnalysisModel;
-use bracket_engine::model::resolve::{MirrorPlane, parities};
 use bracket_joint::assembly::Joint;
 use bracket_joint::assembly::assembly::{Section, Surface, SymmetryPlane, WeldRule};
 use bracket_joint::assembly::sheets::{Sheet, sheets};
-use bracket_joint::meshing::naming::symmetry_face;
 
-/// Number of critical factors that are kept.
-const MODES: usize = 3;
-/// Most tets of a mesh that is made twice as fine for the critical factors.
-const LARGEST: usize = 50_000;
 /// Least length over which the forces of a weld are averaged, beside six throats \[mm\].
 const WELD_LENGTH: f64 = 30.0;
 
@@ -38,7 +29,7 @@ pub struct EvidencePlan {
     /// The fillet welds.
     welds: Vec<WeldRule>,
     /// The planes of symmetry in use.
-    symmetry: Vec<SymmetryPlane>,
+    pub(super) symmetry: Vec<SymmetryPlane>,
     /// The resistances that the estimates are compared with.
     facts: RouteFacts,
 }
@@ -53,7 +44,8 @@ pub struct Side<'a> {
 }
 
 impl<'a> Side<'a> {
-    fn displacement(self) -> Option<&'a DisplacementField> {
+    /// Its displacements.
+    pub(super) fn displacement(self) -> Option<&'a DisplacementField> {
         self.pass.plastic.as_ref().map(|p| &p.nodes).or(self.pass.displacement.as_ref())
     }
 }
@@ -153,52 +145,16 @@ impl EvidencePlan {
         sheets.into_iter().zip(found).filter_map(of).collect()
     }
 
-    /// The critical factors of the loads, on the mesh of both fields and on one twice as fine;
-    /// `None` without both fields on one mesh, or where they were not found.
-    pub fn critical(&self, upper: Side<'_>, lower: Side<'_>) -> Option<CriticalFactors> {
-        let (displacement, stress) = (upper.displacement()?, lower.pass.stress.as_ref()?);
-        let model = lower.model;
-        if model.mesh.tets.len() > LARGEST || model.mesh != upper.model.mesh {
-            return None;
-        }
-        let coarse = self.modes(model, displacement, stress)?;
-        let finer = refined(model, displacement, stress);
-        let fine = self.modes(&finer.model, &finer.displacement, &finer.stress)?;
-        Some(CriticalFactors { coarse, fine })
-    }
-
-    /// The lowest critical factors, of modes that are symmetric or antisymmetric to each plane.
-    fn modes(
-        &self,
-        model: &AnalysisModel,
-        displacement: &DisplacementField,
-        stress: &StressField,
-    ) -> Option<Vec<CriticalMode>> {
-        let plane =
-            |p: &SymmetryPlane| MirrorPlane { support: symmetry_face(p.axis), axis: p.axis };
-        let planes: Vec<MirrorPlane<'_>> = self.symmetry.iter().map(plane).collect();
-        let options = BucklingOptions {
-            modes: MODES,
-            largest: LARGEST_CRITICAL,
-            ..BucklingOptions::default()
-        };
-        let space = Tet10Space::new(&model.mesh);
-        let mut out = Vec::new();
-        for of_parity in parities(model, &planes).ok()? {
-            let found = buckling(&of_parity, displacement, stress, &options).ok()?;
-            out.extend(found.modes.into_iter().map(|m| {
-                let largest = |of: &mut dyn Iterator<Item = f64>| {
-                    of.enumerate().max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or_default()
-                };
-                let (body, share) = largest(&mut m.share_by_body.iter().copied());
-                let (most, _) = largest(&mut m.shape.iter().map(|v| vec3::norm(*v)));
-                let part = model.mesh.bodies.get(body).cloned().unwrap_or_default();
-                CriticalMode { factor: m.factor, part, share, at: space.nodes[most] }
-            }));
-        }
-        out.sort_by(|a: &CriticalMode, b| a.factor.total_cmp(&b.factor));
-        out.truncate(MODES);
-        Some(out)
+    /// The largest membrane strain of the prisms around each vertex of the mesh, a fraction; NaN
+    /// where no plate is, or no mean is taken. `None` without a field with plastic strain.
+    pub fn strains(&self, Side { model, pass }: Side<'_>) -> Option<Vec<f64>> {
+        let field = pass.plastic.as_ref()?;
+        let plates: Vec<_> = self
+            .sheets
+            .iter()
+            .filter_map(|sheet| sheet.plate(&model.mesh, &self.symmetry))
+            .collect();
+        Some(membrane_at_nodes(model, field, &plates))
     }
 
     /// The lines of force of the meshed welds.

@@ -32,6 +32,7 @@ pub(crate) fn case() -> CaseResult {
         evidence: None,
         evidence_before: Vec::new(),
         critical: None,
+        critical_unknown: None,
         joint_stiffness: None,
         certificate: Some(Certificate {
             strict: true,

@@ -299,6 +299,7 @@ pub fn limit_case_result(
         evidence: None,
         evidence_before: Vec::new(),
         critical: None,
+        critical_unknown: None,
         joint_stiffness: None,
         certificate,
         history: vec![HistoryRow {

@@ -1,6 +1,7 @@
 //! The typed result of a run and its files.
 
 pub mod bounds;
+pub mod buckled;
 pub mod case_result;
 pub mod certificate;
 pub mod combine;

@@ -2,15 +2,15 @@
 
 use crate::model::ModelError;
 use crate::solve::sparse::LinearError;
+use bracket_base::words::Text;
+use bracket_base::{display_text, say};
 
 /// Reason why no critical load factor was found.
-#[derive(Clone, Debug, thiserror::Error)]
+#[derive(Clone, Debug)]
 pub enum BucklingError {
     /// The unknowns of the model could not be numbered.
-    #[error(transparent)]
-    Model(#[from] ModelError),
+    Model(ModelError),
     /// A field does not belong to the mesh of the model.
-    #[error("the {field} field has {found} values, the mesh needs {needed}")]
     Size {
         /// Displacement or stress.
         field: &'static str,
@@ -20,15 +20,10 @@ pub enum BucklingError {
         needed: usize,
     },
     /// A field has a value that is not finite.
-    #[error("the {0} field has values that are not finite")]
     NotFinite(&'static str),
     /// The elastic stiffness cannot be factored.
-    #[error(transparent)]
     Stiffness(LinearError),
     /// The iteration ended before the lowest factor was found.
-    #[error(
-        "no critical load factor converged in {steps} steps; the best residual is {residual:e}"
-    )]
     NoConvergence {
         /// Steps of the iteration.
         steps: usize,
@@ -36,6 +31,40 @@ pub enum BucklingError {
         residual: f64,
     },
     /// Below the lowest factor found the structure is not stable: a mode was missed.
-    #[error("the structure buckles below the load factor {0}, but no mode was found there")]
     Missed(f64),
+}
+
+impl BucklingError {
+    /// The reason in words.
+    pub fn text(&self) -> Text {
+        match self {
+            BucklingError::Model(e) => e.text(),
+            BucklingError::Size { field, found, needed } => {
+                say!("the field of {} has {} values, the mesh needs {}", *field, *found, *needed)
+            }
+            BucklingError::NotFinite(field) => {
+                say!("the field of {} has values that are not finite", *field)
+            }
+            BucklingError::Stiffness(e) => e.text(),
+            BucklingError::NoConvergence { steps, residual } => say!(
+                "no critical load factor converged in {} steps; the best residual is {}",
+                *steps,
+                format!("{residual:.1e}")
+            ),
+            BucklingError::Missed(factor) => say!(
+                "the structure buckles below the load factor {}, but no mode was found there",
+                format!("{factor:.4}")
+            ),
+        }
+    }
+}
+
+display_text!(BucklingError);
+
+impl std::error::Error for BucklingError {}
+
+impl From<ModelError> for BucklingError {
+    fn from(e: ModelError) -> Self {
+        BucklingError::Model(e)
+    }
 }

@@ -1,6 +1,8 @@
 use super::*;
+use crate::certify::plastic_field::length;
 use crate::estimate::fixtures::{apart, block, field, steel, turn, turned};
-use bracket_base::math::vec3::{add, cross};
+use crate::estimate::plate::Zone;
+use bracket_base::math::vec3::{add, cross, mul};
 use std::f64::consts::FRAC_PI_2;
 
 const FY: f64 = 235.0;
@@ -63,6 +65,25 @@ fn pure_bending_has_plastic_strain_at_the_surfaces_only() {
         let s = strains([5, 3, 4], r, split, u);
         assert!(value(s.membrane).abs() < 1e-13, "{s:?}");
         assert!((value(s.surface) - want).abs() < 1e-12, "{s:?} {want}");
+    }
+}
+
+/// The largest value at the nodes is the largest mean, on coarse meshes too, and nodes off the
+/// plate have none.
+#[test]
+fn the_nodes_have_the_largest_mean() {
+    for count in [[12, 8, 2], [2, 2, 1]] {
+        let m = mesh(count, turn());
+        let f = field(&m, false, turned(turn(), |x| [0.5e-3 * x[0] * x[0], 0.0, 0.0]));
+        let half = Plate { extent: [[0.0, 30.0], [0.0, SIZE[1]], [0.0, T]], ..plate(turn()) };
+        let at = membrane_at_nodes(&m, &f, std::slice::from_ref(&half));
+        let largest = at.iter().copied().filter(|v| !v.is_nan()).fold(0.0, f64::max);
+        assert_eq!(largest, value(plate_strains(&m, &f, &[half])[0].membrane));
+        let off = |x: &V3| plate(turn()).coordinates(*x)[0] > 30.0 + 1e-6;
+        let nodes = || m.mesh.nodes.iter().zip(&at);
+        assert!(nodes().filter(|(x, _)| off(x)).all(|(_, v)| v.is_nan()), "{count:?}");
+        let fine = count[0] == 12;
+        assert!(!fine || nodes().filter(|(x, _)| !off(x)).all(|(_, v)| !v.is_nan()));
     }
 }
 

@@ -218,7 +218,7 @@ pub fn read_displacement(
     vectors_of(model, &VtuGrid::from_bytes(bytes)?, DISPLACEMENT)
 }
 
-fn vectors_of(
+pub(crate) fn vectors_of(
     model: &AnalysisModel,
     grid: &VtuGrid,
     name: &'static str,
