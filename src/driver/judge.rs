@@ -75,8 +75,9 @@ pub fn judged(
         case.demand = demand.map(|d| Demand::new(case, d.actions.clone(), checks));
         if no_rule(case) {
             case.warnings.push(
-                "no rule of rotation capacity holds: the lower bound decides nothing, and plastic \
-                 global analysis may not rely on the rotation of the joint (EN 1993-1-8:2005 6.4)"
+                "no rule of rotation capacity holds: the lower bound alone decides nothing, and \
+                 plastic global analysis may not rely on the rotation of the joint (EN \
+                 1993-1-8:2005 6.4)"
                     .into(),
             );
         }

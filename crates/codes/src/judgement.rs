@@ -34,7 +34,8 @@ pub struct Judgement {
     pub route: Option<Route>,
     /// By the code's checks.
     pub by_code: Verdict,
-    /// By strict bounds; none where no analysis brackets a resistance.
+    /// By strict bounds, or by the complete route of analysis; none where no analysis brackets a
+    /// resistance.
     pub by_analysis: Verdict,
     /// Reason, in a sentence. Of `undecided`: the first missing step, and what would supply it.
     pub reason: Text,
@@ -127,8 +128,13 @@ fn of_case(checks: &HandChecks, a: &Analysed, complete: bool) -> Judgement {
     let governing = if by_bracket { analysis.or(code) } else { code };
     let open = check.filter(|c| c.status == Status::Undecided);
     let reason = reason::sentence(a, (by_code, open), (verdict, route), governing.as_ref());
+    // the steps stand for the rule of rotation capacity that the bounds alone lack
+    let by_analysis = match a.verdict {
+        Verdict::Undecided if shown => Verdict::Ok,
+        by_bounds => by_bounds,
+    };
     let steps = a.steps.clone();
-    Judgement { verdict, route, by_code, by_analysis: a.verdict, reason, governing, steps }
+    Judgement { verdict, route, by_code, by_analysis, reason, governing, steps }
 }
 
 /// The verdict on all cases, with the reason of the worst one and the names of those without a

@@ -139,7 +139,8 @@ fn a_complete_route_of_analysis_answers_what_has_no_method() {
     // the steps stand for the rule of rotation capacity
     let brittle = Analysed { verdict: Undecided, brittle: true, no_rule: true, ..carried(&holds) };
     let over = check(Topic::ComponentMethod, 1.01, Some("A"));
-    assert_eq!(outcome(&[over, bolts], brittle).0, proved);
+    assert_eq!(outcome(&[over.clone(), bolts.clone()], brittle.clone()).0, proved);
+    assert_eq!(judged(&[over, bolts], brittle).by_analysis, Fine);
     // an upper bound below the load refuses whatever else is known
     let refused = Analysed { verdict: NotOk, ..carried(&holds) };
     assert_eq!(outcome(&checks, refused).0, "NOT OK");

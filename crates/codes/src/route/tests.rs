@@ -124,7 +124,7 @@ fn each_step_opens_alone() {
     only_open(found(&pulled, &stable), StepId::Bolts);
     let vague = with(&|e| e.bolts = bolts(&facts, 50e3, 0.0, apart));
     only_open(found(&vague, &stable), StepId::Bolts);
-    // unless the displacement of a coarser mesh gives the same forces; the difference is added still
+    // unless the displacement of a coarser mesh gives the same forces; the difference still counts
     let mut converged = vague.clone();
     let moved = 0.025 * limits.tension;
     converged[0].bolts = bolts(&facts, 50e3 + moved, 0.0, apart);

@@ -20,7 +20,7 @@ pub(crate) fn lines(doc: &mut Doc, case: &CaseResult) {
         doc.paragraph(line(&case.name, c, case.factor_bounds()));
     }
     if let Some(why) = &demand.brittle {
-        doc.paragraph(say!("The lower bound decides nothing: {}.", why));
+        doc.paragraph(say!("The lower bound alone decides nothing: {}.", why));
     }
 }
 

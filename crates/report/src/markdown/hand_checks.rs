@@ -142,8 +142,8 @@ pub(crate) const TOPICS: [(Topic, &str, &str); 8] = [
         "Rotation capacity",
         "Limit analysis assumes that every part can deform plastically as far as needed. Where no \
          rule of the code ensures this, bolts may break before the rows have yielded: the lower \
-         bound then decides nothing, and plastic global analysis may not rely on the rotation of \
-         the joint (6.4). The component method needs no such rule.",
+         bound alone then decides nothing, and plastic global analysis may not rely on the \
+         rotation of the joint (6.4). The component method needs no such rule.",
     ),
 ];
 
