@@ -13,8 +13,9 @@ use bracket_engine::model::{AnalysisKind, AnalysisModel};
 use bracket_engine::solve::Patterns;
 use bracket_report::console::log::Log;
 use bracket_report::result::evidence::Side;
-use bracket_report::result::load_step::{LoadStep, add_loads, without_steps};
+use bracket_report::result::load_step::without_steps;
 use bracket_report::result::result_file::CaseResult;
+use bracket_report::result::step_bounds::{add_loads, step_of, step_of_case};
 use std::sync::Arc;
 
 /// Analyses the load steps that the spec asks for and adds them to the entry of the case; those
@@ -40,7 +41,7 @@ pub fn add_load_steps(
     let (mut steps, mut left_out) = (Vec::new(), Vec::new());
     for (i, &factor) in setup.load_steps.iter().enumerate() {
         if factor == 1.0 {
-            steps.push(LoadStep::of_case(entry));
+            steps.push(step_of_case(entry));
             continue;
         }
         if loose || limits.interrupt.asked() || log.seconds() >= until {
@@ -48,12 +49,12 @@ pub fn add_load_steps(
             continue;
         }
         let model = base.at_load_factor(factor);
-        log.stage(&format!("load step {factor}"));
+        log.stage(format!("load step {factor}"));
         let terms =
             Terms { until, answer_from: None, both_within: f64::INFINITY, patterns: &patterns };
         let pass = run_pass(&entry.name, &model, &terms, limits, log)?;
         let found = pass_entry(&pass, &entry.name, &model, None);
-        steps.push(LoadStep::of(factor, &found, bolts(setup, &model, &pass)));
+        steps.push(step_of(factor, &found, bolts(setup, &model, &pass)));
         sink.step((stem, i + 1), &model, &pass)?;
     }
     if !left_out.is_empty() {

@@ -1,7 +1,7 @@
 //! Elastic analysis: bounds of the potential energy on one mesh.
 //!
-//! Preloaded bolts are tightened first (`tightening`). With Coulomb friction the kinematic program is
-//! a fixed point, and both bounds belong to its last problem (`coulomb`).
+//! Preloaded bolts are tightened first (`tightening`). With Coulomb friction the kinematic program
+//! is a fixed point, and both bounds belong to its last problem (`coulomb`).
 
 mod coulomb;
 

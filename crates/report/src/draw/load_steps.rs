@@ -30,7 +30,7 @@ pub fn drawing(case: &CaseResult, stem: &str) -> Option<(PictureRef, String)> {
     if points.len() < 2 {
         return None;
     }
-    // a bound belongs to the motion of the load: a rotation for a moment, a displacement for a force
+    // a bound is of the motion of the load: a rotation for a moment, a displacement for a force
     let same = |s: &&LoadStep| matches!(s.load, Some(LoadSize::Moment(_))) == turns;
     let bounds: Vec<([f64; 2], f64)> = steps
         .iter()

@@ -2,11 +2,11 @@
 
 use crate::result::certificate::Certificate;
 use crate::result::demand::{Demand, EndAction};
+use crate::result::face_motion::FaceMotion;
 use crate::result::forces::StaticForces;
 use crate::result::history::HistoryRow;
 use crate::result::load_step::LoadStep;
 use crate::result::quantity::{FrictionModel, LoadSize, Quantity, RawBracket, Upper};
-use bracket_base::math::vec3;
 use bracket_base::say;
 use bracket_base::words::Text;
 use bracket_codes::route::{CriticalFactors, Evidence};
@@ -229,24 +229,6 @@ pub struct PartYield {
     /// Centroid of that tetrahedron \[mm\]; absent without plastic strain.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub strain_at: Option<[f64; 3]>,
-}
-
-/// Motion of a rigid face.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct FaceMotion {
-    /// Name of the face.
-    pub face: String,
-    /// Displacement of its reference point \[mm\].
-    pub displacement: [f64; 3],
-    /// Rotation about the axes x, y, z \[rad\].
-    pub rotation: [f64; 3],
-}
-
-impl FaceMotion {
-    /// Size of the rotation \[rad\].
-    pub fn turn(&self) -> f64 {
-        vec3::norm(self.rotation)
-    }
 }
 
 /// Largest contact pressure \[MPa\], positive in compression. The values are estimates, because the

@@ -2,11 +2,11 @@
 
 use crate::result::bounds::CaseBounds;
 use crate::result::case_result::CaseResult;
-use crate::result::case_result::FaceMotion;
 use crate::result::case_result::PartYield;
 use crate::result::case_result::PeakPressure;
 use crate::result::case_result::WeldUse;
 use crate::result::certificate::Certificate;
+use crate::result::face_motion::FaceMotion;
 use crate::result::history::{self, HistoryRow, TraceRow};
 use crate::result::quantity::{FrictionModel, LoadSize, Quantity, Upper};
 use crate::result::refusal::refusal_words;

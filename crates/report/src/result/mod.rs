@@ -9,6 +9,7 @@ pub mod demand;
 pub mod digests;
 pub mod energy_case;
 pub mod evidence;
+pub mod face_motion;
 pub mod fields;
 pub mod file_names;
 #[cfg(test)]
@@ -24,6 +25,7 @@ pub mod preload;
 pub mod quantity;
 pub mod refusal;
 pub mod result_file;
+pub mod step_bounds;
 pub mod stiffness;
 pub mod study;
 pub mod verify;

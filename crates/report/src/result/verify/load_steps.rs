@@ -8,8 +8,9 @@ use crate::result::case_result::CaseResult;
 use crate::result::certificate::Certificate;
 use crate::result::evidence::Side;
 use crate::result::file_names::step_suffix;
-use crate::result::load_step::{LoadStep, add_loads, without_steps};
+use crate::result::load_step::without_steps;
 use crate::result::quantity::Upper;
+use crate::result::step_bounds::{add_loads, step_of, step_of_case};
 use bracket_base::diag::Diagnostics;
 use bracket_engine::model::{AnalysisKind, AnalysisModel};
 use serde_json::json;
@@ -44,7 +45,7 @@ pub(super) fn verify_steps(
     let mut found = Vec::new();
     for step in &case.load_steps {
         if step.factor == 1.0 {
-            found.push(LoadStep::of_case(case));
+            found.push(step_of_case(case));
             continue;
         }
         let number = asked.iter().position(|f| *f == step.factor).map_or(0, |i| i + 1);
@@ -68,7 +69,7 @@ pub(super) fn verify_steps(
         findings.extend(new);
         let side = Side { model: &scaled, pass: &pass };
         let bolts = plan.map_or(Vec::new(), |plan| plan.bolts(side, side));
-        found.push(LoadStep::of(step.factor, &entry, bolts));
+        found.push(step_of(step.factor, &entry, bolts));
     }
     add_loads(&mut found, &base, case.problem);
     for (claimed, found) in case.load_steps.iter().zip(&found) {
