@@ -35,6 +35,8 @@ def bolt_use(case: dict) -> dict[str, float]:
     """The most used limits of the bolts at the lower bound: tension (with shear too), and the others."""
     use: dict[str, float] = {}
     for row in case.get("resultants", []):
+        if "utilisation" not in row:
+            continue
         what = row["limit"].rsplit(": ", 1)[-1]
         kind = "tension" if what in ("tension", "tension and shear") else "shear, bearing, punching"
         use[kind] = max(use.get(kind, 0.0), row["utilisation"])
@@ -43,15 +45,21 @@ def bolt_use(case: dict) -> dict[str, float]:
 
 def strength(folder: pathlib.Path, passes: int) -> dict:
     """The bracket of a test as factors of M_max, what yields, and the component method [kN m]."""
-    case = json.loads((folder / "result.json").read_text(encoding="utf-8"))["cases"][0]
+    result = json.loads((folder / "result.json").read_text(encoding="utf-8"))
+    case = result["cases"][0]
     found = {key: round(case[key], 4) for key in ("lower", "upper") if key in case}
     found |= {"meshes": len(case["history"]), "asked": passes, "macro_tets": max(row["macro_tets"] for row in case["history"])}
-    found |= {"strict": case["certificate"]["strict"], "mechanism": mechanism(case), "bolts": bolt_use(case)}
+    found |= {"strict": case["certificate"].get("strict", False), "mechanism": mechanism(case), "bolts": bolt_use(case)}
     if "limiting_part" in case:
         found["limiting"] = group(case["limiting_part"])
     methods = case.get("demand", {}).get("component_method", [])
     if methods:
-        found["component_method"] = {"moment": round(methods[0]["resistance"] / 1e6, 1), "limited_by": methods[0]["limited_by"]}
+        # why the lower bound alone decides nothing: bolts may break first
+        found["brittle"] = "brittle" in case["demand"]
+        # with the axial force at M_max, where there is one
+        title = "moment and axial force of the joint"
+        moment = min(c["resistance"] for c in result["checks"] if c["title"] == title and "case" in c)
+        found["component_method"] = {"moment": round(moment / 1e6, 1), "limited_by": methods[0]["limited_by"]}
     return found
 
 
@@ -84,7 +92,7 @@ def main() -> int:
             found = strength(folder, mark["passes"])
         else:
             found = route(folder) if kind == "route" else stiffness(folder)
-        stored.setdefault(name, {})[kind] = found
+        stored.setdefault(name, {})[kind] = {"spec": run.digest(name, kind, tests), **found}
     ordered = {name: stored[name] for name in tests if name in stored}
     STORED.write_text(json.dumps(ordered, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
     return 0

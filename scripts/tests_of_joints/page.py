@@ -9,6 +9,7 @@ import re
 import sys
 
 import plot
+import run
 import specs
 from collect import STORED
 
@@ -92,13 +93,29 @@ def stiffness(tests: dict, stored: dict) -> list[str]:
 
 
 def route(tests: dict, stored: dict) -> list[str]:
-    """Steps of the route of analysis."""
-    lines = ["| test | step | state | utilisation | finding |", "| --- | --- | --- | ---: | --- |"]
-    for name in tests:
-        for step in stored.get(name, {}).get("route", {}).get("steps", []):
-            used = number(step.get("utilisation"))
-            lines.append(f"| {name} | {step['step']} | {step['state'].replace('_', ' ')} | {used} | {step['finding']} |")
+    """Utilisation of the steps of the route of analysis; `open` where a step is not decided."""
+    steps = ("strength", "bolts", "strain", "stability", "welds")
+    lines = [f"| test | moment | {' | '.join(steps)} | most used | moment where it reaches 1 | /M_max | most used force of the bolts |"]
+    lines.append("| --- |" + " ---: |" * 6 + " --- | ---: | ---: | --- |")
+    for name, test in tests.items():
+        rows = {row["step"]: row for row in stored.get(name, {}).get("route", {}).get("steps", [])}
+        if not rows:
+            continue
+        moment = specs.ROUTE_SHARE * test["measured"]["M_max"]
+        cells = [used(rows.get(step)) for step in steps]
+        step, most = max(((s, rows[s].get("utilisation", 0.0)) for s in steps if s in rows), key=lambda item: item[1])
+        bolt = rows.get("bolts", {}).get("finding", "–")
+        reach = [number(moment / most), ratio(moment / most, test["measured"]["M_max"])]
+        lines.append("| " + " | ".join([name, number(moment), *cells, step, *reach, bolt]) + " |")
     return lines
+
+
+def used(row: dict | None) -> str:
+    """Utilisation of a step, and whether it is open."""
+    if row is None:
+        return "–"
+    value = number(row.get("utilisation"))
+    return value if row["state"] in ("proved", "estimated") else f"{value} (open)"
 
 
 def meshes(tests: dict, stored: dict) -> list[str]:
@@ -137,8 +154,13 @@ def main(arguments: list[str]) -> int:
         text = text[: found.start(2)] + "\n".join(make(tests, stored)) + "\n" + text[found.end(2) :]
     picture = plot.draw([(name, moments(test, stored.get(name, {}))) for name, test in tests.items()])
     if arguments == ["--check"]:
-        stale = text != old or not PLOT.is_file() or PLOT.read_text(encoding="utf-8") != picture
-        if stale:
+        stale = differs = text != old or not PLOT.is_file() or PLOT.read_text(encoding="utf-8") != picture
+        for name, kind in specs.runs(tests):
+            known = stored.get(name, {}).get(kind, {}).get("spec")
+            if known not in (None, run.digest(name, kind, tests)):
+                print(f"tests_of_joints: {name} {kind} was run with other data: run scripts/tests_of_joints.sh {name}", file=sys.stderr)
+                stale = True
+        if differs:
             print("tests_of_joints: docs/validation.md or its plot is stale: run scripts/tests_of_joints/page.py", file=sys.stderr)
         return 1 if stale else 0
     PAGE.write_text(text, encoding="utf-8")
