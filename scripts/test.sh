@@ -96,6 +96,9 @@ if [ "$heavy" = yes ]; then
     step "${PWD}/scripts/parquet_test.sh"
 fi
 step .venv/bin/python scripts/readme.py --check
+# the joints of docs/validation.md are still accepted, and the page shows the stored results
+step .venv/bin/python scripts/tests_of_joints/run.py --check
+step .venv/bin/python scripts/tests_of_joints/page.py --check
 
 if [ -n "$not_run" ]; then
     printf '\nnot run, because not within reach here:%s\n' "$not_run" >&2
