@@ -23,6 +23,9 @@ fn spec(n: f64, steps: &str) -> String {
     )
 }
 
+/// A change of a case of result.json.
+type Change<'a> = &'a dyn Fn(&mut Value);
+
 fn ran(spec: String) -> Bench {
     let bench = Bench::new().file("joint.yaml", spec);
     let run = bench.run(&["run", "joint.yaml", "--size-factor", "1.5", "--threads", "1"]);
@@ -85,7 +88,7 @@ fn the_step_at_the_full_load_is_the_analysis_and_forged_steps_are_refuted() {
     let confirmed = bench.run(&["verify", "joint"]);
     let out = String::from_utf8_lossy(&confirmed.stdout).into_owned();
     assert_eq!((confirmed.status.code(), out.matches("confirmed").count()), (Some(0), 6), "{out}");
-    let forged: [(&str, &dyn Fn(&mut Value)); 7] = [
+    let forged: [(&str, Change<'_>); 7] = [
         ("closure", &|c| scale(&mut c["preload"][0]["closure"])),
         ("lower", &|c| scale(&mut c["load_steps"][0]["lower"])),
         ("upper", &|c| scale(&mut c["load_steps"][2]["upper"])),
