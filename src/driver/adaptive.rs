@@ -4,14 +4,13 @@
 use crate::driver::case::Case;
 use crate::driver::limits::Limits;
 use crate::driver::pass_run::too_large;
-use crate::driver::passes::{Kept, Mesh, Passes, Share, joined, lost};
+use crate::driver::passes::{Kept, Mesh, Passes, Share, evidence, joined, lost};
 use crate::driver::remesh::Remesh;
 use crate::driver::sequence::Sequence;
 use crate::driver::setup::Refinement;
 use bracket_base::diag::Diagnostics;
 use bracket_base::say;
 use bracket_base::words::Text;
-use bracket_codes::route::Evidence;
 use bracket_engine::model::AnalysisKind;
 use bracket_engine::model::AnalysisModel;
 use bracket_engine::model::file::Bounds;
@@ -179,14 +178,6 @@ fn finish(
     let apart = ![b.lower, b.upper].contains(&b.frictionless);
     let frictionless = if apart { Some(take(b.frictionless)?) } else { None };
     Ok(Adapted { entry, upper, lower, frictionless, frictionless_index: b.frictionless })
-}
-
-/// What was measured on the meshes of these passes, in order of their tets.
-pub fn evidence(entries: &[PassResult]) -> Vec<Evidence> {
-    let found = entries.iter().filter_map(|e| e.entry.evidence.clone());
-    let mut measured: Vec<Evidence> = found.collect();
-    measured.sort_by_key(|e| e.tets);
-    measured
 }
 
 /// The rows of a pass in the history of the answer. Beside strict bounds, the numbers of a mesh

@@ -1,12 +1,11 @@
 //! The passes of a case: runs both programs on a mesh, keeps the entries of all passes and the
 //! fields of those that are still needed.
 
-use crate::driver::adaptive::evidence;
 use crate::driver::limits::Limits;
 use crate::driver::pass_entry::{pass_bounds, pass_entry};
 use crate::driver::pass_run::{self, Terms, run_pass};
 use bracket_base::diag::{Diagnostic, Diagnostics};
-use bracket_codes::route::NextMesh;
+use bracket_codes::route::{Evidence, NextMesh};
 use bracket_codes::verdict::Verdict;
 use bracket_engine::analysis::dispatch::AnalysisPass;
 use bracket_engine::mesh::TetMesh;
@@ -199,6 +198,14 @@ impl<'a> Passes<'a> {
         let place = best(&self.entries).map_or([0; 3], |b| [b.lower, b.upper, b.frictionless]);
         self.kept.retain(|k| place.contains(&k.index) || used.contains(&k.index));
     }
+}
+
+/// What was measured on the meshes of these passes, in order of their tets.
+pub fn evidence(entries: &[PassResult]) -> Vec<Evidence> {
+    let found = entries.iter().filter_map(|e| e.entry.evidence.clone());
+    let mut measured: Vec<Evidence> = found.collect();
+    measured.sort_by_key(|e| e.tets);
+    measured
 }
 
 /// The fault of a pass that cannot be found.
