@@ -102,8 +102,8 @@ pub fn refused(solved: &[CaseResult], (name, kind): &(String, AnalysisKind)) -> 
 }
 
 /// Adds to the entry of a case what its fields show: a warning if a program did not fit into the
-/// memory, preloads of halved bolts, the forces of the static field, and the numbers of the route of
-/// analysis. Returns the buckling modes.
+/// memory, preloads of halved bolts, the forces of the static field, and the numbers of the route
+/// of analysis. Returns the buckling modes.
 fn complete(adapted: &mut Adapted, setup: &RunSetup, log: &Log) -> Vec<DisplacementField> {
     let RunSetup { mirror, bolts, .. } = setup;
     let Adapted { entry, upper, lower, .. } = adapted;

@@ -1,5 +1,6 @@
 use super::*;
 use crate::design_code;
+use bracket_base::words::Text;
 use bracket_base::yaml;
 use bracket_joint::assembly::Joint;
 use bracket_joint::catalog::Catalog;
@@ -145,7 +146,7 @@ fn each_step_opens_alone() {
     only_open(found(&good, &critical(30.0, 2.0)), StepId::Stability);
     let fine_alone = CriticalFactors { coarse: Vec::new(), fine: vec![mode(20.0)] };
     only_open(found(&good, &fine_alone), StepId::Stability);
-    let (none, why) = (Found { critical: None, ..found(&good, &stable) }, "no memory".into());
+    let (none, why) = (Found { critical: None, ..found(&good, &stable) }, Text::given("no memory"));
     only_open(none, StepId::Stability);
     let told = steps(&facts, Found { critical_unknown: Some(&why), ..none });
     let step = told.iter().find(|s| s.step == StepId::Stability).expect("a step");

@@ -21,8 +21,8 @@ pub(super) struct Sight {
     pub seen: Vec<u32>,
 }
 
-/// The first of eight views, from above and then from below, that shows nearly as many of the places
-/// as the best of them. `places` are points of the surface.
+/// The first of eight views, from above and then from below, that shows nearly as many of the
+/// places as the best of them. `places` are points of the surface.
 pub(super) fn sight(surface: &Surface, places: &[u32]) -> Sight {
     let step = places.len().div_ceil(LOOKED_FOR).max(1);
     let places: Vec<Place> = places.iter().step_by(step).map(|p| Place::new(surface, *p)).collect();

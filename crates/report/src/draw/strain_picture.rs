@@ -20,7 +20,8 @@ const SAME: f64 = 1e-9;
 
 /// The membrane strain of a case at the vertices of a mesh, see
 /// [`crate::result::evidence::EvidencePlan::strains`]: the joint from a side on which the largest
-/// value is seen and, where there is none, also the part with that value alone. None without plates.
+/// value is seen and, where there is none, also the part with that value alone. None without
+/// plates.
 pub fn strain_pictures(
     mesh: &TetMesh,
     strains: &[f64],
