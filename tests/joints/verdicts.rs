@@ -106,7 +106,7 @@ fn a_t_stub_is_decided_by_the_route_of_analysis() {
     };
     for (name, n, code) in [("less", 40.0, 0), ("more", 200.0, 1)] {
         std::fs::write(bench.path().join(format!("{name}.yaml")), spec(n)).expect("written");
-        let run = bench.run(&["run", &format!("{name}.yaml"), "--size-factor", "2"]);
+        let run = bench.run(&["run", &format!("{name}.yaml"), "--size-factor", "1.5"]);
         let told = String::from_utf8_lossy(&run.stderr).into_owned();
         assert_eq!(run.status.code(), Some(code), "{told}");
     }

@@ -151,7 +151,11 @@ fn each_step_opens_alone() {
     only_open(found(&same, &stable), StepId::Strain);
     // buckling: too low, or unknown
     only_open(found(&good, &critical(3.0, 1.5)), StepId::Stability);
-    only_open(found(&good, &critical(30.0, 2.0)), StepId::Stability);
+    let apart = critical(30.0, 2.0);
+    only_open(found(&good, &apart), StepId::Stability);
+    let told = steps(&facts, found(&good, &apart));
+    let step = told.iter().find(|s| s.step == StepId::Stability).expect("a step");
+    assert_eq!(step.finding, "the critical factor is 30 on the mesh, 2 on one twice as fine");
     let fine_alone = CriticalFactors { coarse: Vec::new(), fine: vec![mode(20.0)] };
     only_open(found(&good, &fine_alone), StepId::Stability);
     let (none, why) = (Found { critical: None, ..found(&good, &stable) }, Text::given("no memory"));

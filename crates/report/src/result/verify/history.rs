@@ -203,6 +203,14 @@ impl History<'_> {
         lower.is_none_or(|l| l == 0.0) || rows.any(|r| r.static_frictionless.is_some())
     }
 
+    /// True if a mesh after the first served the estimates of a verdict by analysis alone: they
+    /// need no stress on it.
+    fn is_for_estimates(&self, i: usize) -> bool {
+        let row = &self.claimed.history[i];
+        let mut before = self.claimed.evidence_before.iter();
+        i > 0 && row.lower.is_none() && before.any(|e| e.tets == row.macro_tets)
+    }
+
     /// The programs whose bounds are asked for have run: whether a result is certified depends on
     /// the programs without a bound too.
     fn run_fault(&self, i: usize, bounds: Bounds) -> Option<&'static str> {
@@ -217,7 +225,10 @@ impl History<'_> {
         };
         let statics = match energy {
             // the static program solves the last problem of the fixed point, if there is one
-            true => bounds != Bounds::Kinematic && (!shifted || finite.is_some()),
+            true => {
+                let solved = !shifted || finite.is_some();
+                bounds != Bounds::Kinematic && solved && !self.is_for_estimates(i)
+            }
             false => row.lower.is_some_and(|l| l != 0.0),
         };
         let coulomb = self.found.problem == FrictionModel::Coulomb;
