@@ -181,7 +181,12 @@ impl<'a> Passes<'a> {
             return Ok(None);
         }
         let (lower, upper) = self.joined()?.factor_bounds();
-        if Verdict::of(lower, upper) != Verdict::Undecided {
+        let least = self.share.evidence.map_or(1.0, EvidencePlan::least_factor);
+        let decided = match Verdict::of(lower, upper) {
+            Verdict::Ok => lower >= Some(least),
+            verdict => verdict != Verdict::Undecided,
+        };
+        if decided {
             return Ok(Some(NextMesh::None));
         }
         let asked = |plan: &EvidencePlan| plan.next_mesh(&evidence(&self.entries));

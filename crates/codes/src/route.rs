@@ -24,7 +24,7 @@ pub use evidence::{
 pub use facts::{RouteFacts, WeldFacts};
 pub use stability::LARGEST_CRITICAL;
 pub use step::{RouteStep, RouteUse, StepId, StepState};
-pub use steps::{Found, NextMesh, is_complete, next_mesh, steps};
+pub use steps::{Found, NextMesh, is_complete, least_factor, next_mesh, steps};
 pub use strain::LARGEST_STRAIN;
 
 #[cfg(test)]

@@ -125,7 +125,7 @@ fn limit_analysis_ends_with_the_first_that_holds() {
                 true, flange_width: 180, flange_thickness: 12, web_thickness: 10, web_height: \
                 30}\nfriction: {mu: 0}\nloads: [{name: PULL, end: top, at: bolt_plane, N: 60 \
                 kN}]\nanalysis: {kind: limit, max_passes: 2, max_macro_tets: \
-                1500, mesh: {size: 30 mm}}\n";
+                4000, mesh: {size: 20 mm}}\n";
     let sweep = "base: joint.yaml\naxes: {\"loads.PULL.N\": [60 kN, 150 kN], \
                  parameters.flange_thickness: [25, 8, 12, 20]}\nfirst: checks\nthen: {limit: \
                  undecided}\nchoose: {least: flange_thickness / 1 mm, per: [loads.PULL.N]}\n";

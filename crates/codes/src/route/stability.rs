@@ -1,6 +1,6 @@
 //! Stability of the plates by reduced stress.
 
-use super::evidence::{CriticalFactors, CriticalMode};
+use super::evidence::CriticalFactors;
 use super::facts::RouteFacts;
 use super::step::{RouteStep, RouteUse, StepId, StepState};
 use crate::eurocode::plate_buckling::reduction;

@@ -82,6 +82,11 @@ pub fn is_complete(steps: &[RouteStep]) -> bool {
 /// 3.3 a section between holes is up to 1.07 times as long.
 const RESERVE: f64 = 1.12;
 
+/// The lower bound that a verdict by analysis needs.
+pub fn least_factor(facts: &RouteFacts) -> f64 {
+    if facts.hand_checked { 1.0 } else { RESERVE }
+}
+
 /// Strength by the lower bound: the loads times it are carried.
 fn strength(facts: &RouteFacts, lower: Option<f64>) -> RouteStep {
     let Some(lower) = lower.filter(|l| *l > 0.0) else {
@@ -90,21 +95,17 @@ fn strength(facts: &RouteFacts, lower: Option<f64>) -> RouteStep {
         return RouteStep::open(StepId::Strength, finding, STRENGTH, next);
     };
     let certified = crate::unit::number(down(lower));
-    let (what, reserve) = match facts.hand_checked {
-        true => (say!("1/λ, λ = {} certified", certified), 1.0),
-        false => {
-            let reserve = crate::unit::number(RESERVE);
-            let what = say!(
-                "{}/λ, λ = {} certified, with a reserve for net section and block tearing",
-                reserve,
-                certified
-            );
-            (what, RESERVE)
-        }
+    let what = match facts.hand_checked {
+        true => say!("1/λ, λ = {} certified", certified),
+        false => say!(
+            "{}/λ, λ = {} certified, with a reserve for net section and block tearing",
+            crate::unit::number(RESERVE),
+            certified
+        ),
     };
     let row = RouteUse {
         what,
-        value: reserve / lower,
+        value: least_factor(facts) / lower,
         spread: None,
         limit: 1.0,
         unit: Unit::Number,

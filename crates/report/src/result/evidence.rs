@@ -3,7 +3,7 @@
 
 use bracket_codes::route::{
     BoltSections, Evidence, NextMesh, PlateStrain, RouteFacts, SectionForce, WeldForce, WeldForces,
-    next_mesh,
+    least_factor, next_mesh,
 };
 use bracket_engine::analysis::energy_pass::EnergyPass;
 use bracket_engine::certify::fields::{DisplacementField, StressField};
@@ -72,6 +72,11 @@ impl EvidencePlan {
             symmetry: symmetry.to_vec(),
             facts: RouteFacts::of(joint),
         }
+    }
+
+    /// The lower bound of the load factor that a verdict by analysis needs.
+    pub fn least_factor(&self) -> f64 {
+        least_factor(&self.facts)
     }
 
     /// What the estimates of these meshes, in order of their tets, ask of the next one.
