@@ -368,8 +368,8 @@ pub fn starter(
          load under Coulomb's law as well; up to ten solves more a mesh\n  # decide: \
          false  # also run what a verdict by analysis needs where the code has no method: limit, \
          and elastoplastic with elastic bolts\n  # bolts: yielding  # elastoplastic: yielding or \
-         elastic\n  # load_steps: [0.25, 0.5, 0.75, 1]  # elastoplastic: factors of the demand at \
-         which it is run as well\n  mesh:\n    size: auto  \
+         elastic\n  # load_steps: []  # elastoplastic: factors of the demand at which it is run as \
+         well, such as [0.25, 0.5, 0.75, 1]\n  mesh:\n    size: auto  \
          # auto, or a length from 0.5 mm to 1000 mm\n    # layers: true  # a mesh plane at \
          mid-thickness of every plate, flange, web and stiffener\n    # segments: {}  # sides of \
          the meshed bolt circles; even, 12 to 48\n",
