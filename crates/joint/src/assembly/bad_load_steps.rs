@@ -11,10 +11,10 @@ const STEPS: &[(&str, &str, &str, &str)] = &[
     ("[1, 11]", "spec/value", "analysis.load_steps[1]", "11 is not above 0 and up to 10"),
     ("[.nan]", "yaml/not-finite", "analysis.load_steps[0]", "finite"),
     ("[1, .inf]", "yaml/not-finite", "analysis.load_steps[1]", "finite"),
-    ("0.5", "yaml/type", "analysis.load_steps", "sequence"),
+    ("0.5", "yaml/type", "analysis.load_steps", "a list"),
     ("[0.5, half]", "yaml/type", "analysis.load_steps[1]", "half"),
     ("[50 %, 1]", "yaml/type", "analysis.load_steps[0]", "50 %"),
-    ("{first: 0.5}", "yaml/type", "analysis.load_steps", "sequence"),
+    ("{first: 0.5}", "yaml/type", "analysis.load_steps", "a list"),
 ];
 
 /// Each wrong list of load steps is one fault, at the step.
