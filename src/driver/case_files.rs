@@ -63,9 +63,9 @@ pub fn write_route(
     (entry, stem): (&CaseResult, &str),
     folder: &ResultFolder,
 ) -> Result<(), Diagnostics> {
-    let factors = entry.critical.iter().flat_map(|c| c.fine.clone()).collect::<Vec<_>>();
+    let factors = entry.critical.as_ref().map_or(&[][..], |c| &c.fine);
     let strains = strains.map(|s| ("strain", strain_grid(model, s)));
-    let modes = modes_grid(model, modes, &factors).map(|grid| ("modes", grid));
+    let modes = modes_grid(model, modes, factors).map(|grid| ("modes", grid));
     for (kind, grid) in strains.into_iter().chain(modes) {
         let bytes = grid.to_bytes().map_err(Diagnostic::from)?;
         folder.write(&format!("fields/{stem}_{kind}.vtu"), &bytes)?;

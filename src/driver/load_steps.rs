@@ -14,7 +14,7 @@ use bracket_engine::solve::Patterns;
 use bracket_report::console::log::Log;
 use bracket_report::result::evidence::Side;
 use bracket_report::result::load_step::without_steps;
-use bracket_report::result::result_file::CaseResult;
+use bracket_report::result::preload::close_cuts;
 use bracket_report::result::step_bounds::{add_loads, step_of, step_of_case};
 use std::sync::Arc;
 
@@ -33,8 +33,9 @@ pub fn add_load_steps(
     if entry.analysis != AnalysisKind::Elastoplastic {
         return Ok(());
     }
-    let base = closed(&upper.model, entry);
     // the steps are of one structure: with the closures of the case
+    let mut base = upper.model.clone();
+    close_cuts(&mut base, &entry.preload);
     let loose = base.preload.iter().any(|p| p.closure.is_none());
     // the mesh of the case, whose matrices have the same patterns at every load
     let patterns = Patterns::default();
@@ -63,16 +64,6 @@ pub fn add_load_steps(
     add_loads(&mut steps, &base, entry.problem);
     entry.load_steps = steps;
     Ok(())
-}
-
-/// The model with the closures of its cuts that the analysis of the case has found.
-fn closed(model: &AnalysisModel, entry: &CaseResult) -> AnalysisModel {
-    let mut out = model.clone();
-    for bolt in &mut out.preload {
-        let found = entry.preload.iter().find(|p| p.body == bolt.body && p.cut == bolt.cut);
-        bolt.closure = found.map(|p| p.closure);
-    }
-    out
 }
 
 /// The forces in the sections of the bolts, where they are measured.

@@ -184,24 +184,31 @@ impl Passes<'_> {
         let own_gap = if track.bounds == Bounds::Both { best_gap } else { present.gap };
         let coarser = asked == Some(NextMesh::Coarser) && track.bounds == Bounds::Both;
         let (choice, curve) = if self.share.decide && track.bounds == Bounds::Both {
-            let (growth, seconds) = match coarser {
-                true => (COARSER, COARSER_SECONDS),
-                false => (FINER, FINER.powf(TIME_EXPONENT)),
-            };
-            let curve = estimate.curve(growth.max(1.0) * present.tets as f64, &realised);
-            let asked = Growth { tets: growth, seconds };
-            (for_estimates(&present, asked, &budget, adapt, self.entries.len()), Some(curve))
+            let next = for_estimates(&present, coarser, &budget, adapt, self.entries.len());
+            // a coarser mesh is even: no curve chooses its elements
+            let finer = || estimate.curve(FINER * present.tets as f64, &realised);
+            (next, (!coarser).then(finer))
         } else {
             plan::next(&track.steps, own_gap, adapt, &budget, &mut |most| {
                 estimate.curve(most, &realised)
             })
         };
-        let p = match (choice, &curve) {
-            (Next::Refine(p), Some(_)) => p,
-            (Next::Stop(why), _) => return Ok(Refined::Stop(why)),
-            _ => return Ok(Refined::Failed),
+        let p = match choice {
+            Next::Refine(p) => p,
+            Next::Stop(why) => return Ok(Refined::Stop(why)),
         };
-        let Some(curve) = curve else { return Ok(Refined::Failed) };
+        let order = plan::order(&track.steps, p.tets);
+        let design = match curve {
+            // as the present one in all places, so that only the size of its elements differs
+            _ if coarser => Design {
+                wanted: vec![COARSER; present.tets],
+                directions: estimate.directions.clone(),
+                tets: order,
+                gap: 1.0,
+            },
+            Some(curve) => estimate.with_tets(&curve, order, &realised),
+            None => return Ok(Refined::Failed),
+        };
         // a mesh for one bound changes half of the sum of both gaps
         let of_bracket = match track.bounds {
             Bounds::Both => p.gap,
@@ -218,17 +225,6 @@ impl Passes<'_> {
             gap_words(of_bracket),
             about(p.seconds)
         ));
-        let order = plan::order(&track.steps, p.tets);
-        let design = match coarser {
-            // as the present one in all places, so that only the size of its elements differs
-            true => Design {
-                wanted: vec![COARSER; present.tets],
-                directions: estimate.directions.clone(),
-                tets: order,
-                gap: 1.0,
-            },
-            false => estimate.with_tets(&curve, order, &realised),
-        };
         let p = Prediction { tets: design.tets * p.tets / order, ..p };
         // strains are those of the displacement
         let bounds = if coarser { Bounds::Kinematic } else { track.bounds };
@@ -279,22 +275,19 @@ const COARSER_SECONDS: f64 = 0.3;
 /// Exponent of the time of a pass in its number of tets, the largest that was found.
 const TIME_EXPONENT: f64 = 2.0;
 
-/// Numbers of the next mesh over those of the present one.
-struct Growth {
-    tets: f64,
-    seconds: f64,
-}
-
-/// The next mesh for estimates.
+/// The next mesh for estimates, a coarser or a finer one.
 fn for_estimates(
     present: &Step,
-    growth: Growth,
+    coarser: bool,
     budget: &Budget,
     adapt: &plan::Limits,
     passes: usize,
 ) -> Next {
-    let tets = growth.tets * present.tets as f64;
-    let seconds = growth.seconds * present.seconds;
+    let [growth, time] = match coarser {
+        true => [COARSER, COARSER_SECONDS],
+        false => [FINER, FINER.powf(TIME_EXPONENT)],
+    };
+    let (tets, seconds) = (growth * present.tets as f64, time * present.seconds);
     let gap = present.gap;
     match () {
         _ if passes >= adapt.max_passes as usize => Next::Stop(Stop::Passes),

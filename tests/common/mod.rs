@@ -1,6 +1,7 @@
 //! Meshes and models for tests.
 #![allow(dead_code, missing_docs, clippy::unwrap_used)]
 
+pub mod bolt_in_sleeve;
 pub mod grid;
 pub mod limit;
 pub mod mirrored;

@@ -19,13 +19,11 @@
 //! Tolerance of the forces 1e-6 F: near its minimum an energy is known to twice as many digits as
 //! the force at which it is minimal.
 
+use crate::common::bolt_in_sleeve::{L, mesh};
 use crate::common::solved::{Solved, solve_to};
-use crate::common::{Block, beside, renamed, triangles_where};
-use bracket::mesh::NamedFaces;
 use bracket::solve::{SolveOptions, StopRules};
 
 const E: f64 = 200_000.0;
-const L: f64 = 10.0;
 
 fn run(force: f64, seed: u64) -> Solved {
     run_preloaded(force, None, seed)
@@ -33,20 +31,6 @@ fn run(force: f64, seed: u64) -> Solved {
 
 /// Runs the model with a force on the top and an optional preload of the bolt.
 fn run_preloaded(force: f64, preload: Option<f64>, seed: u64) -> Solved {
-    let bolt = Block { cells: [1, 1, 4], min: [0.0; 3], max: [1.0, 1.0, L], jitter: 0.2, seed };
-    let sleeve = Block {
-        cells: [2, 2, 3],
-        min: [3.0, 0.0, 0.0],
-        max: [5.0, 2.0, L],
-        jitter: 0.2,
-        seed: seed + 1,
-    };
-    let middle = |d: usize, x: f64| d == 2 && x == L / 2.0;
-    let mut bolt = renamed(bolt.mesh(&["BOLT"], |_| 0, middle), "Z0", "BOLT_END");
-    let triangles = triangles_where(&bolt, |x| x[2] == L / 2.0);
-    bolt.faces.push(NamedFaces { name: "CUT".into(), triangles });
-    let sleeve = renamed(sleeve.mesh(&["SLEEVE"], |_| 0, |_, _| false), "Z0", "SLEEVE_END");
-    let mesh = beside(renamed(bolt, "X0", "BX"), renamed(sleeve, "X0", "SX"));
     let yaml = format!(
         "materials: {{s: {{E: 200000, nu: 0}}}}\nbodies: {{BOLT: s, SLEEVE: s}}\nsupports:\n- \
          {{face: BOLT_END, fix: [z]}}\n- {{face: SLEEVE_END, law: contact, mu: 0}}\n- {{face: BX, \
@@ -59,7 +43,11 @@ fn run_preloaded(force: f64, preload: Option<f64>, seed: u64) -> Solved {
         format!("preload:\n- {{body: BOLT, cut: CUT, axis: {axis}, force: {f:?}}}\n")
     });
     // an energy accurate to 1e-8 needs a smaller gap
-    solve_to(&(yaml + &bolts), mesh, &SolveOptions::default().with(StopRules::to_gap(1e-11)))
+    solve_to(
+        &(yaml + &bolts),
+        mesh(1.0, seed),
+        &SolveOptions::default().with(StopRules::to_gap(1e-11)),
+    )
 }
 
 /// Mean σ_zz of a body times its area \[N\].

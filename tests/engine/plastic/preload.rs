@@ -14,43 +14,23 @@
 //! The energies are compared for the closure of the pass, which is that of the solver to 1e-7.
 //! Tolerance 1e-6 relative as in the other elastic, perfectly plastic cases; forces 1e-5 F_p.
 
+use crate::common::bolt_in_sleeve::{L, mesh};
 use crate::common::plastic::strict_pass;
 use crate::common::solved::resolve_as;
-use crate::common::{Block, beside, renamed, triangles_where};
 use bracket::analysis::energy_pass::EnergyPass;
 use bracket::analysis::event::silent;
 use bracket::analysis::pass::PassOptions;
 use bracket::analysis::{elastic, hencky};
 use bracket::certify::plastic_certificate::{body_states, certify_plastic_motion};
-use bracket::mesh::{NamedFaces, TetMesh};
 use bracket::model::{AnalysisKind, AnalysisModel};
 
 const E: f64 = 200_000.0;
-const L: f64 = 10.0;
 const FP: f64 = 800.0;
 const KB: f64 = E / L;
 /// Yield strength of the sleeve: 1.5 times its stress after tightening \[MPa\].
 const FY: f64 = 300.0;
 /// Area of the sleeve over that of the bolt.
 const SLEEVE: f64 = 4.0;
-
-/// Bolt and sleeve, or the half of both with x from the middle of each; `share`: 1 or 0.5.
-fn mesh(share: f64, seed: u64) -> TetMesh {
-    let bolt = Block { cells: [1, 1, 4], min: [0.0; 3], max: [share, 1.0, L], jitter: 0.2, seed };
-    let sleeve = Block {
-        cells: [2, 2, 3],
-        min: [3.0, 0.0, 0.0],
-        max: [3.0 + 2.0 * share, 2.0, L],
-        jitter: 0.2,
-        seed: seed + 1,
-    };
-    let middle = |d: usize, x: f64| d == 2 && x == L / 2.0;
-    let mut bolt = renamed(bolt.mesh(&["BOLT"], |_| 0, middle), "Z0", "BOLT_END");
-    let triangles = triangles_where(&bolt, |x| x[2] == L / 2.0);
-    bolt.faces.push(NamedFaces { name: "CUT".into(), triangles });
-    let sleeve = renamed(sleeve.mesh(&["SLEEVE"], |_| 0, |_, _| false), "Z0", "SLEEVE_END");
-    beside(renamed(bolt, "X0", "BX"), renamed(sleeve, "X0", "SX"))
-}
 
 /// The model of `share` of the structure under `force` on the whole of it; the yield strength `fy`
 /// is that of the sleeve.

@@ -1,6 +1,7 @@
 //! How far a displacement is enlarged, and when a zone of a picture is.
 
-use bracket_base::math::vec3::{self, V3};
+use bracket_base::math::vec3::V3;
+use bracket_engine::mesh::polyhedron::diagonal;
 
 /// Share of the largest value from which a place belongs to the zone that is drawn enlarged.
 pub const MARKED: f64 = 0.2;
@@ -14,21 +15,14 @@ pub fn enlargement(nodes: &[V3], size: &[f64], part: f64) -> Option<f64> {
     if largest == 0.0 {
         return None;
     }
-    let wanted = part * extent(nodes.iter()) / largest;
+    let wanted = part * diagonal(nodes) / largest;
     let power = 10f64.powf(wanted.log10().floor());
     Some([5.0, 2.0, 1.0].into_iter().map(|m| m * power).find(|f| *f <= wanted).unwrap_or(power))
 }
 
 /// Whether the places with at least [`MARKED`], at the nodes of a shape, are a small part of it.
 pub fn is_small(nodes: &[V3], values: &[f64]) -> bool {
-    let marked = || nodes.iter().zip(values).filter(|(_, v)| **v >= MARKED).map(|(x, _)| x);
-    marked().count() > 0 && extent(marked()) < SMALL * extent(nodes.iter())
-}
-
-/// Diagonal of the box around points \[mm\].
-fn extent<'a>(points: impl Iterator<Item = &'a V3>) -> f64 {
-    let (low, high) = points.fold(([f64::MAX; 3], [f64::MIN; 3]), |(low, high), x| {
-        ([0, 1, 2].map(|d| low[d].min(x[d])), [0, 1, 2].map(|d| high[d].max(x[d])))
-    });
-    vec3::norm(vec3::sub(high, low))
+    let marked = nodes.iter().zip(values).filter(|(_, v)| **v >= MARKED);
+    let marked: Vec<V3> = marked.map(|(x, _)| *x).collect();
+    !marked.is_empty() && diagonal(&marked) < SMALL * diagonal(nodes)
 }

@@ -2,7 +2,7 @@
 
 use crate::draw::surface::{Surface, unit_normal};
 use crate::draw::view::natural_eye;
-use bracket_base::math::vec3::{V3, cross, dot, sub, unit};
+use bracket_base::math::vec3::{V3, cross, dot, norm, sub, unit};
 
 /// Places that are looked for at most; a few of many tell whether the zone is seen.
 const LOOKED_FOR: usize = 24;
@@ -57,7 +57,7 @@ impl Place {
 
     fn is_seen(&self, surface: &Surface, eye: V3) -> bool {
         let (low, high) = surface.extents();
-        let near = ITSELF * dot(sub(high, low), sub(high, low)).sqrt();
+        let near = ITSELF * norm(sub(high, low));
         let hides = |corners: [V3; 3]| hit(self.at, eye, corners).is_some_and(|s| s > near);
         self.normals.iter().any(|n| dot(*n, eye) > FACING)
             && !surface.triangles.iter().any(|t| hides(t.nodes.map(|n| surface.points[n as usize])))

@@ -8,6 +8,7 @@ use crate::result::fields::field_files::{
     yielding_stress_grid,
 };
 use crate::result::fields::plastic_file::{plastic_grid, read_plastic};
+use crate::result::preload::{close_cuts, of_cut};
 use crate::result::result_file::CaseResult;
 use bracket_base::diag::{Diagnostic, Diagnostics};
 use bracket_engine::analysis::energy_pass::EnergyPass;
@@ -47,9 +48,9 @@ impl CaseFiles<'_> {
             pass.shift = read_shift(given, &self.field("shift")?).map_err(Diagnostic::from)?;
         }
         let mut model = AnalysisModel { shift: pass.shift.clone(), ..given.clone() };
-        for bolt in &mut model.preload {
-            let claimed = case.preload.iter().find(|t| t.body == bolt.body && t.cut == bolt.cut);
-            bolt.closure = claimed.map(|t| t.closure);
+        close_cuts(&mut model, &case.preload);
+        for bolt in &model.preload {
+            let claimed = of_cut(&case.preload, bolt);
             if bounded && claimed.is_none_or(|t| t.force != bolt.force) {
                 refuted.push(format!(
                     "{}: the preload of `{}` is not that of the model",

@@ -9,6 +9,7 @@ use crate::result::certificate::Certificate;
 use crate::result::evidence::Side;
 use crate::result::file_names::step_suffix;
 use crate::result::load_step::without_steps;
+use crate::result::preload::close_cuts;
 use crate::result::quantity::Upper;
 use crate::result::step_bounds::{add_loads, step_of, step_of_case};
 use bracket_base::diag::Diagnostics;
@@ -36,10 +37,7 @@ pub(super) fn verify_steps(
         return Ok(Vec::new());
     }
     let mut base = model.clone();
-    for bolt in &mut base.preload {
-        let claimed = case.preload.iter().find(|p| p.body == bolt.body && p.cut == bolt.cut);
-        bolt.closure = claimed.map(|p| p.closure);
-    }
+    close_cuts(&mut base, &case.preload);
     let plan = reference.and_then(|r| r.evidence.as_ref());
     let mut findings = Vec::new();
     let mut found = Vec::new();
