@@ -141,14 +141,15 @@ pub fn remesh_model<'a>(
     let bisect =
         move |mesh| Box::new(ByBisection::new(&own, place, mesh)) as Box<dyn Remesh<'a> + 'a>;
     let large = mesh.tets.len() >= LEAST_FOR_METRIC;
-    let Some(remesher) = large.then(|| remesher(&limits.interrupt, log)).flatten() else {
-        return bisect(mesh);
-    };
+    let otherwise = "bisection";
+    let found = large.then(|| remesher(otherwise, &limits.interrupt, log)).flatten();
+    let Some(remesher) = found else { return bisect(mesh) };
     let tools = Tools {
         remesher,
         dir: folder.join("mesher"),
         interrupt: limits.interrupt.flag(),
         fallback: Rc::new(bisect),
+        otherwise,
     };
     Box::new(ByMetric::new(tools, file, place, mesh))
 }

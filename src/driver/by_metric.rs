@@ -6,18 +6,20 @@ use crate::driver::remesh::{Made, Places, Remesh};
 use bracket_base::diag::{Diagnostic, Diagnostics};
 use bracket_base::math::mandel::Mandel;
 use bracket_engine::mesh::mmg::Remesher;
+use bracket_engine::mesh::nearest::Nearest;
 use bracket_engine::mesh::polyhedron::Polyhedron;
-use bracket_engine::mesh::size_field::{Edges, SizeField};
-use bracket_engine::mesh::{TetMesh, quality};
+use bracket_engine::mesh::size_field::Edges;
+use bracket_engine::mesh::{TetMesh, mend, quality};
 use bracket_engine::model::file::{ModelFile, Nodes};
 use bracket_engine::model::resolve::resolve;
-use bracket_engine::refine::metric::{Metric, SizeLimits, least_sizes};
+use bracket_engine::refine::metric::{self, Coarsest, Metric, SizeLimits, least_sizes};
 use bracket_engine::refine::optimum::Design;
+use bracket_engine::refine::twins::Twins;
 use bracket_report::console::log::Log;
 use std::path::PathBuf;
 use std::rc::Rc;
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 /// Makes the remesher that takes over where Mmg fails, starting from a mesh.
@@ -42,8 +44,12 @@ const FAR: f64 = 0.25;
 /// Runs of Mmg for one mesh.
 const RUNS: usize = 3;
 
-/// Smallest accepted dihedral angle \[degrees\]; flatter tets spoil the static program.
-const FLAT: f64 = 0.5;
+/// Dihedral angle below which a tet is mended \[degrees\].
+const MENDED: f64 = 1.5;
+
+/// Largest length of an element over that on the first mesh, in any direction, away from contacts,
+/// loads and supports, where no element is longer.
+const COARSER: f64 = 1.8;
 
 /// Time limit of one run of Mmg \[s\].
 const SECONDS: f64 = 300.0;
@@ -59,6 +65,8 @@ pub struct Tools<'a> {
     pub interrupt: Arc<AtomicBool>,
     /// Takes over where it fails.
     pub fallback: Fallback<'a>,
+    /// What takes over, in words.
+    pub otherwise: &'static str,
 }
 
 /// Remeshes with Mmg.
@@ -66,22 +74,39 @@ pub struct ByMetric<'a> {
     tools: Tools<'a>,
     file: ModelFile,
     place: Places<'a>,
-    mesh: TetMesh,
-    edges: Edges,
-    limits: SizeLimits,
+    last: Last,
     start: Start,
     filling: f64,
     /// The remesher in use since Mmg failed.
     other: Option<Box<dyn Remesh<'a> + 'a>>,
 }
 
-/// Sizes of the first mesh at places where no later mesh is coarser.
+/// The last mesh, with what its metric needs.
+#[derive(Clone)]
+struct Last {
+    mesh: TetMesh,
+    edges: Edges,
+    limits: SizeLimits,
+    nearest: Nearest,
+}
+
+impl Last {
+    fn new(mesh: TetMesh, start: &Start) -> Self {
+        let (edges, limits) = (Edges::new(&mesh), start.limits(&mesh));
+        let nearest = Nearest::new(mesh.nodes.clone());
+        Self { mesh, edges, limits, nearest }
+    }
+}
+
+/// The elements of the first mesh; no later mesh is much coarser.
 #[derive(Clone)]
 struct Start {
-    /// Nodes sorted by x, with the size there \[mm\].
-    nodes: Vec<([f64; 3], f64)>,
-    /// Names of the faces that stay as fine.
-    faces: Vec<String>,
+    /// Its nodes.
+    nearest: Nearest,
+    /// The coarsest tensor allowed at each node \[1/mm²\].
+    coarsest: Vec<Mandel>,
+    /// Bodies that are mirror images of each other.
+    twins: Twins,
 }
 
 /// Names of the faces where loads, supports and rigid faces act; symmetry planes, which hold one
@@ -110,87 +135,64 @@ fn kept(mesh: &TetMesh, faces: &[String]) -> Vec<bool> {
 }
 
 impl Start {
-    fn new(mesh: &TetMesh, edges: &Edges, faces: Vec<String>) -> Self {
-        let sizes = SizeField::new(mesh, edges, &vec![1.0; mesh.tets.len()]).sizes;
-        let mut nodes: Vec<([f64; 3], f64)> = kept(mesh, &faces)
+    fn new(mesh: &TetMesh, faces: &[String]) -> Self {
+        let loose = COARSER.powi(-2);
+        let coarsest = kept(mesh, faces)
             .iter()
-            .zip(mesh.nodes.iter().zip(sizes))
-            .filter(|(kept, _)| **kept)
-            .map(|(_, (x, size))| (*x, size))
+            .zip(metric::own(mesh))
+            .map(|(kept, own)| if *kept { own } else { own.map(|x| loose * x) })
             .collect();
-        nodes.sort_by(|a, b| a.0[0].total_cmp(&b.0[0]));
-        Self { nodes, faces }
+        let nearest = Nearest::new(mesh.nodes.clone());
+        Self { nearest, coarsest, twins: Twins::new(mesh, &Polyhedron::new(mesh)) }
     }
 
-    /// The size at the nearest of the nodes.
-    fn size_at(&self, x: [f64; 3]) -> f64 {
-        let (mut near, mut size) = (f64::INFINITY, f64::INFINITY);
-        let middle = self.nodes.partition_point(|n| n.0[0] < x[0]);
-        let mut look = |n: &([f64; 3], f64)| {
-            let along = (n.0[0] - x[0]).powi(2);
-            let d = along + (n.0[1] - x[1]).powi(2) + (n.0[2] - x[2]).powi(2);
-            if d < near {
-                (near, size) = (d, n.1);
-            }
-            along < near
-        };
-        for n in &self.nodes[middle..] {
-            if !look(n) {
-                break;
-            }
-        }
-        for n in self.nodes[..middle].iter().rev() {
-            if !look(n) {
-                break;
-            }
-        }
-        size
-    }
-
+    /// The limits at the nodes of a later mesh.
     fn limits(&self, mesh: &TetMesh) -> SizeLimits {
-        let most = kept(mesh, &self.faces)
-            .iter()
-            .zip(&mesh.nodes)
-            .map(|(kept, x)| if *kept { self.size_at(*x) } else { f64::INFINITY })
-            .collect();
-        SizeLimits { least: least_sizes(mesh), most }
+        let at = |x: &[f64; 3]| self.nearest.to(*x).map_or([0.0; 6], |n| self.coarsest[n]);
+        let coarsest: Vec<Mandel> = mesh.nodes.iter().map(at).collect();
+        SizeLimits { least: least_sizes(mesh), coarsest: Coarsest::new(&coarsest) }
     }
 }
 
 impl<'a> ByMetric<'a> {
-    /// Starts from the first mesh, whose bodies share nodes.
+    /// Starts from the first mesh, whose bodies share nodes. Planes at mid-thickness of its plates
+    /// are given up: between them Mmg makes many times the elements wanted.
     pub fn new(tools: Tools<'a>, file: &ModelFile, place: Places<'a>, mesh: TetMesh) -> Self {
-        let edges = Edges::new(&mesh);
-        let start = Start::new(&mesh, &edges, acting(file));
-        let limits = start.limits(&mesh);
+        let mesh = TetMesh { tet_region: Vec::new(), ..mesh };
+        let start = Start::new(&mesh, &acting(file));
         let file = ModelFile { nodes: Nodes::Shared, ..file.clone() };
         let (filling, other) = (FILLING, None);
-        Self { tools, file, place, mesh, edges, limits, start, filling, other }
+        let last = Last::new(mesh, &start);
+        Self { tools, file, place, last, start, filling, other }
     }
 
     /// The metric whose unit tets are the wanted parts.
     fn metric(&self, wanted: &[f64], directions: &[Mandel]) -> Metric {
-        Metric::new(&self.mesh, &self.edges, wanted, directions, &self.limits)
+        let Last { mesh, edges, limits, nearest } = &self.last;
+        let mut metric = Metric::new(mesh, edges, wanted, directions, limits);
+        self.start.twins.even(mesh, nearest, &mut metric);
+        metric
     }
 
     /// The mesh of a design.
     fn make(&mut self, design: &Design, seconds: f64, log: &Log) -> Result<TetMesh, Diagnostics> {
         let start = Instant::now();
-        let polyhedron = Polyhedron::new(&self.mesh);
+        let mesh = &self.last.mesh;
+        let polyhedron = Polyhedron::new(mesh);
         if let Some(i) = polyhedron.loose.first() {
-            let name = &self.mesh.faces[*i as usize].name;
+            let name = &mesh.faces[*i as usize].name;
             let message = format!("the face {name} lies inside a body and bounds no part of it");
             return Err(Diagnostic::undecided("mesh/loose", message).into());
         }
         let metric = self.metric(&design.wanted, &design.directions);
-        let wanted: f64 = metric.parts(&self.mesh).iter().sum();
+        let wanted: f64 = metric.parts(mesh).iter().sum();
         let mut best: Option<(f64, TetMesh)> = None;
         let mut failed = None;
         for _ in 0..RUNS {
             let left = (seconds - start.elapsed().as_secs_f64()).clamp(0.0, SECONDS);
             log.stage("remeshing");
             let made = self.tools.remesher.remesh(
-                &self.mesh,
+                mesh,
                 &polyhedron,
                 &metric.scaled(self.filling.cbrt()).tensors,
                 &self.tools.dir,
@@ -209,9 +211,10 @@ impl<'a> ByMetric<'a> {
                 failed = Some(uneven(&made, wanted));
                 break;
             }
+            let made = mended(made, &self.tools.interrupt, log);
             let worst =
                 quality::table(&made).iter().fold(f64::INFINITY, |w, b| w.min(b.worst_dihedral));
-            let flat = worst < FLAT;
+            let flat = worst < mend::FLAT;
             if !flat && best.as_ref().is_none_or(|b| miss.abs() < b.0) {
                 best = Some((miss.abs(), made));
             }
@@ -233,6 +236,20 @@ impl<'a> ByMetric<'a> {
     }
 }
 
+/// The mesh with its flat tets mended, as far as they can be.
+fn mended(mesh: TetMesh, interrupt: &AtomicBool, log: &Log) -> TetMesh {
+    if quality::table(&mesh).iter().all(|b| b.worst_dihedral >= MENDED) {
+        return mesh;
+    }
+    match mend::mend(&mesh, MENDED, &|| interrupt.load(Ordering::Relaxed)) {
+        Ok((made, mended)) => {
+            log.stage(mended.words());
+            made
+        }
+        Err(_) => mesh,
+    }
+}
+
 /// The fault of a mesh that misses the wanted count.
 fn uneven(made: &TetMesh, wanted: f64) -> Diagnostic {
     let message = format!("Mmg makes {} tets where {wanted:.0} are wanted", made.tets.len());
@@ -245,9 +262,7 @@ impl<'a> Remesh<'a> for ByMetric<'a> {
             tools: self.tools.clone(),
             file: self.file.clone(),
             place: self.place,
-            mesh: self.mesh.clone(),
-            edges: self.edges.clone(),
-            limits: self.limits.clone(),
+            last: self.last.clone(),
             start: self.start.clone(),
             filling: self.filling,
             other: self.other.as_ref().map(|o| o.twin()),
@@ -257,7 +272,7 @@ impl<'a> Remesh<'a> for ByMetric<'a> {
     fn realised(&self, wanted: &[f64], directions: &[Mandel]) -> Vec<f64> {
         match &self.other {
             Some(other) => other.realised(wanted, directions),
-            None => self.metric(wanted, directions).parts(&self.mesh),
+            None => self.metric(wanted, directions).parts(&self.last.mesh),
         }
     }
 
@@ -272,8 +287,8 @@ impl<'a> Remesh<'a> for ByMetric<'a> {
             Ok(mesh) => mesh,
             Err(faults) => {
                 let why = &faults.first().message;
-                log.line(format!("bisection from here on: {why}"));
-                let mut other = (self.tools.fallback)(self.mesh.clone());
+                log.line(format!("{} from here on: {why}", self.tools.otherwise));
+                let mut other = (self.tools.fallback)(self.last.mesh.clone());
                 let left = seconds - start.elapsed().as_secs_f64();
                 let made = other.remesh(design, left, log);
                 self.other = Some(other);
@@ -281,9 +296,7 @@ impl<'a> Remesh<'a> for ByMetric<'a> {
             }
         };
         let model = resolve(&self.file, mesh.clone(), self.place)?;
-        self.edges = Edges::new(&mesh);
-        self.limits = self.start.limits(&mesh);
-        self.mesh = mesh.clone();
+        self.last = Last::new(mesh.clone(), &self.start);
         let quality = quality_table(&quality::table(&mesh));
         let seconds = start.elapsed().as_secs_f64();
         Ok(Made { model, mesh, file: self.file.clone(), quality, seconds })

@@ -48,13 +48,13 @@ pub trait Remesh<'a> {
     fn remesh(&mut self, design: &Design, seconds: f64, log: &Log) -> Result<Made, Diagnostics>;
 }
 
-/// Mmg, if it is installed; otherwise the log says what is used in its place.
-pub fn remesher(interrupt: &Interrupt, log: &Log) -> Option<Remesher> {
+/// Mmg, if it is installed; if not, the log says what is used in its place, `otherwise`.
+pub fn remesher(otherwise: &str, interrupt: &Interrupt, log: &Log) -> Option<Remesher> {
     let flag = interrupt.flag();
     match Remesher::find_until(Until { limit: None, interrupt: Some(&flag) }) {
         Ok(remesher) => Some(remesher),
         Err(error) => {
-            log.line(format!("the mesh is refined by bisection: {error}"));
+            log.line(format!("{otherwise} in place of Mmg: {error}"));
             None
         }
     }

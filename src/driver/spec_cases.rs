@@ -1,8 +1,9 @@
 //! The cases of a spec on the mesh of its joint.
 
+use crate::driver::by_metric::{ByMetric, Tools};
 use crate::driver::case::Case;
 use crate::driver::interrupt::Interrupt;
-use crate::driver::remesh::{ByMap, Places};
+use crate::driver::remesh::{ByMap, Places, Remesh, remesher};
 use crate::driver::spec_file::SpecFile;
 use bracket_base::diag::Diagnostics;
 use bracket_codes::design_code::design_strengths;
@@ -14,7 +15,9 @@ use bracket_joint::assembly::assembly::SymmetryPlane;
 use bracket_joint::meshing::joint::{JointMesh, MeshOptions};
 use bracket_joint::model_file::{self, Asked};
 use bracket_joint::spec::polygon::PolygonSpec;
+use bracket_report::console::log::Log;
 use bracket_report::result::file_names::stem_of;
+use std::rc::Rc;
 
 /// A load case of a spec under one kind of analysis.
 #[derive(Clone, Debug, PartialEq)]
@@ -118,19 +121,44 @@ pub fn cases<'a>(
     Ok(cases)
 }
 
-/// Lets the cases make further meshes: the geometry is meshed again with a map of sizes. Mmg does
-/// not suit the thin walls of joints (docs/theory.md, section 12). The directions of a polygon
-/// share the first mesh and get no further one.
+/// What makes further meshes where Mmg is absent or fails.
+const BY_MAP: &str = "gmsh with a map of sizes";
+
+/// Lets the cases make further meshes. In limit analysis Mmg makes them from the last one and a
+/// metric; else, and where it fails, gmsh meshes the geometry again with a map of sizes. The
+/// directions of a polygon share the first mesh and get no further one.
 pub fn give_remesh<'a>(
     cases: &mut [Case<'a>],
     input: &'a SpecFile,
     options: &MeshOptions,
     meshed: &JointMesh,
     place: Places<'a>,
+    (interrupt, log): (&Interrupt, &Log),
 ) {
+    let limit = cases.iter().any(|c| c.model.analysis == AnalysisKind::Limit);
+    let remesher = limit.then(|| remesher(BY_MAP, interrupt, log)).flatten();
     for case in cases.iter_mut().filter(|c| c.direction.is_none()) {
         let asked = asked(input, &case.name, case.model.analysis);
-        let by_map = ByMap::new(&input.joint, options.clone(), asked, place, meshed.mesh.clone());
-        case.remesh = Some(Box::new(by_map.estimating(case.model.coulomb_estimate)));
+        let (options, estimates) = (options.clone(), case.model.coulomb_estimate);
+        let dir = options.work_dir.clone();
+        let by_map = move |mesh: TetMesh| {
+            let by_map = ByMap::new(&input.joint, options.clone(), asked.clone(), place, mesh);
+            Box::new(by_map.estimating(estimates)) as Box<dyn Remesh<'a> + 'a>
+        };
+        let by_metric = remesher.clone().filter(|_| case.model.analysis == AnalysisKind::Limit);
+        case.remesh = Some(match by_metric {
+            Some(remesher) => {
+                let tools = Tools {
+                    remesher,
+                    dir,
+                    interrupt: interrupt.flag(),
+                    fallback: Rc::new(by_map),
+                    otherwise: BY_MAP,
+                };
+                let mesh = meshed.mesh.clone();
+                Box::new(ByMetric::new(tools, &case.model_file.1, place, mesh))
+            }
+            None => by_map(meshed.mesh.clone()),
+        });
     }
 }

@@ -225,7 +225,7 @@ impl<'s> SpecRun<'s> {
         let mut cases = cases(input, meshed, kinds, polygon, mesh_seconds, &limits.interrupt)?;
         let max_passes = self.overrides.max_passes.unwrap_or(asked.max_passes);
         if max_passes > 1 {
-            give_remesh(&mut cases, input, options, meshed, &place);
+            give_remesh(&mut cases, input, options, meshed, &place, (&limits.interrupt, log));
         }
         limits.interrupt.check("meshing")?;
         let models = cases

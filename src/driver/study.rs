@@ -95,7 +95,14 @@ impl Source for Spec<'_> {
         let seconds = start.elapsed().as_secs_f64();
         let mut cases = cases(self.input, &meshed, &self.kinds, None, seconds, self.interrupt)?;
         if adaptive {
-            give_remesh(&mut cases, self.input, &options, &meshed, self.place);
+            give_remesh(
+                &mut cases,
+                self.input,
+                &options,
+                &meshed,
+                self.place,
+                (self.interrupt, self.log),
+            );
         }
         Ok(cases)
     }

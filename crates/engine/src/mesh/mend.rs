@@ -63,9 +63,9 @@ impl Mended {
     }
 }
 
-/// The flat, inverted and sliver tets of a mesh.
-fn flat_tets(mesh: &TetMesh) -> Vec<usize> {
-    (0..mesh.tets.len()).filter(|e| shape(&mesh.corners(*e)) < FLAT).collect()
+/// The tets of a mesh whose shape is below `least`: flat, inverted and sliver tets.
+fn flat_tets(mesh: &TetMesh, least: f64) -> Vec<usize> {
+    (0..mesh.tets.len()).filter(|e| shape(&mesh.corners(*e)) < least).collect()
 }
 
 /// The worst shape of the tets to be mended, if there are any: the smallest dihedral angle
@@ -75,12 +75,17 @@ pub fn worst_flat(mesh: &TetMesh) -> Option<f64> {
     shapes.filter(|own| *own < FLAT).min_by(f64::total_cmp)
 }
 
-/// Mends a mesh whose bodies share nodes and whose tets are oriented alike. Named faces that do not
-/// bound a region are lost.
+/// Mends the tets with a dihedral angle below `least` degrees ([`FLAT`]) in a mesh whose bodies share
+/// nodes and whose tets are oriented alike. Named faces that do not bound a region are lost.
 ///
 /// Returns why it cannot be mended if a flat or inverted tet is left.
-pub fn mend(mesh: &TetMesh, stop: &dyn Fn() -> bool) -> Result<(TetMesh, Mended), String> {
-    let flat = flat_tets(mesh);
+pub fn mend(
+    mesh: &TetMesh,
+    least: f64,
+    stop: &dyn Fn() -> bool,
+) -> Result<(TetMesh, Mended), String> {
+    let enough = least + ENOUGH - FLAT;
+    let flat = flat_tets(mesh, least);
     let mut mended = Mended { of_body: vec![0; mesh.bodies.len()], ..Mended::default() };
     for e in &flat {
         mended.of_body[mesh.tet_body[*e] as usize] += 1;
@@ -95,13 +100,13 @@ pub fn mend(mesh: &TetMesh, stop: &dyn Fn() -> bool) -> Result<(TetMesh, Mended)
     let mut hopeless: BTreeSet<u32> = BTreeSet::new();
     for _ in 0..PATIENCE * flat.len() {
         let open = (0..draft.tets.len() as u32).filter(|e| {
-            draft.alive[*e as usize] && draft.shape[*e as usize] < FLAT && !hopeless.contains(e)
+            draft.alive[*e as usize] && draft.shape[*e as usize] < least && !hopeless.contains(e)
         });
         let by_shape = |a: &u32, b: &u32| {
             draft.shape[*a as usize].total_cmp(&draft.shape[*b as usize]).then(a.cmp(b))
         };
         let Some(next) = open.min_by(by_shape).filter(|_| !stop()) else { break };
-        if search::improve(&mut draft, next, FLAT, ENOUGH) {
+        if search::improve(&mut draft, next, least, enough) {
             // the tets around may have become better ones to mend
             hopeless.clear();
         } else {
@@ -110,7 +115,7 @@ pub fn mend(mesh: &TetMesh, stop: &dyn Fn() -> bool) -> Result<(TetMesh, Mended)
     }
     mended.worst_after = worst(&draft);
     let made = rebuilt(mesh, &polyhedron, draft)?;
-    mended.left = flat_tets(&made).len();
+    mended.left = flat_tets(&made, least).len();
     Ok((made, mended))
 }
 

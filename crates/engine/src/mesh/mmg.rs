@@ -29,8 +29,9 @@ pub struct Remesher {
 }
 
 /// Options of every run. All ridges are given, so none are detected (`-nr`). The gradation is that
-/// of the metric: the limit on the ratio of sizes at neighbouring nodes (`-hgrad`) is loose.
-const OPTIONS: [&str; 5] = ["-nr", "-hgrad", "4", "-v", "1"];
+/// of the metric (`-hgrad -1`: none of Mmg's own). Tets with four nodes on the surface are no fault
+/// (`-nofem`): splitting them makes many times the wanted elements in thin walls.
+const OPTIONS: [&str; 6] = ["-nr", "-nofem", "-hgrad", "-1", "-v", "1"];
 
 impl Remesher {
     /// Searches for Mmg (environment variable, project-local venv, PATH) and asks for its version.

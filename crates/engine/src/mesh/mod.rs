@@ -14,6 +14,7 @@ pub mod mesher_error;
 pub mod mmg;
 pub mod msh;
 pub mod msh_write;
+pub mod nearest;
 pub mod numbering;
 pub mod orient;
 pub mod polyhedron;

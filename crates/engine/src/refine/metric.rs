@@ -5,10 +5,12 @@
 
 use crate::mesh::TetMesh;
 use crate::mesh::size_field::{Edges, SizeField};
+use crate::mesh::tet::EDGES;
 use crate::mesh::topology::FaceTable;
-use bracket_base::math::eigen::{compose, eigen};
-use bracket_base::math::mandel::{Mandel, to_matrix};
-use bracket_base::math::vec3::{area_vector, det, norm};
+use bracket_base::math::eigen::{compose, eigen, mapped};
+use bracket_base::math::mandel::{Mandel, symmetric_part, to_matrix};
+use bracket_base::math::vec3::{M3, area_vector, det, norm, sub};
+use rayon::prelude::*;
 use std::f64::consts::SQRT_2;
 
 /// Largest ratio of the lengths of a wanted element in two directions.
@@ -27,13 +29,73 @@ pub struct Metric {
     pub tensors: Vec<Mandel>,
 }
 
-/// Bounds of the element sizes at each node \[mm\].
+/// Bounds of the elements at each node.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SizeLimits {
-    /// Smallest size.
+    /// Smallest size \[mm\].
     pub least: Vec<f64>,
-    /// Largest size; may be infinite.
-    pub most: Vec<f64>,
+    /// The coarsest elements.
+    pub coarsest: Coarsest,
+}
+
+/// The coarsest elements at each node, as a metric with its square roots: no element is longer in
+/// any direction than a unit of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Coarsest {
+    roots: Vec<M3>,
+    inverse_roots: Vec<M3>,
+}
+
+impl Coarsest {
+    /// From the tensors at the nodes \[1/mm²\].
+    pub fn new(tensors: &[Mandel]) -> Self {
+        let power = |p: f64| tensors.iter().map(|m| to_matrix(&mapped(m, |v| v.powf(p)))).collect();
+        Self { roots: power(0.5), inverse_roots: power(-0.5) }
+    }
+
+    /// The coarsest tensor at node `n` that is nowhere coarser than `m` or the limit:
+    /// `C^½ max(1, C^−½ M C^−½) C^½`.
+    fn meet(&self, n: usize, m: &Mandel) -> Mandel {
+        let relative = congruent(&self.inverse_roots[n], m);
+        congruent(&self.roots[n], &mapped(&relative, |v| v.max(1.0)))
+    }
+}
+
+/// The coarsest tensor that is nowhere coarser than one of two.
+pub fn meet(a: &Mandel, b: &Mandel) -> Mandel {
+    Coarsest::new(&[*a]).meet(0, b)
+}
+
+/// `A M A` of a symmetric matrix A.
+pub fn congruent(a: &M3, m: &Mandel) -> Mandel {
+    let product = |x: &M3, y: &M3| -> M3 {
+        std::array::from_fn(|i| {
+            std::array::from_fn(|j| (0..3).map(|k| x[i][k] * y[k][j]).sum::<f64>())
+        })
+    };
+    symmetric_part(&product(a, &product(&to_matrix(m), a)))
+}
+
+/// The metric of a mesh itself \[1/mm²\]: in it, its tets are about regular with edges of length 1.
+/// The mean of the logarithms of `(½ Σ e eᵀ)⁻¹` over the tets of a node, e the edges of a tet.
+pub fn own(mesh: &TetMesh) -> Vec<Mandel> {
+    let mut sum = vec![([0.0; 6], 0.0); mesh.nodes.len()];
+    for (e, t) in mesh.tets.iter().enumerate() {
+        let x = mesh.corners(e);
+        let mut edges = [0.0; 6];
+        for [a, b] in EDGES {
+            let d = sub(x[b], x[a]);
+            let square = symmetric_part(&d.map(|i| d.map(|j| 0.5 * i * j)));
+            edges.iter_mut().zip(square).for_each(|(s, x)| *s += x);
+        }
+        let logarithm = mapped(&edges, |v| -v.ln());
+        for n in t {
+            let (total, count) = &mut sum[*n as usize];
+            total.iter_mut().zip(logarithm).for_each(|(s, x)| *s += x);
+            *count += 1.0;
+        }
+    }
+    sum.iter().map(|(total, count)| mapped(&total.map(|x| x / count), f64::exp)).collect()
 }
 
 impl Metric {
@@ -49,13 +111,11 @@ impl Metric {
         let sizes = SizeField::new(mesh, edges, wanted).sizes;
         let shapes = shapes(mesh, directions);
         let tensors = (0..mesh.nodes.len())
+            .into_par_iter()
             .map(|n| {
                 let (values, vectors) = eigen(&shapes[n]);
-                let bounded = |v: f64| {
-                    let size = sizes[n] / v.sqrt();
-                    size.min(limits.most[n]).max(limits.least[n]).powi(-2)
-                };
-                compose(values.map(bounded), &vectors)
+                let bounded = |v: f64| (sizes[n] / v.sqrt()).max(limits.least[n]).powi(-2);
+                limits.coarsest.meet(n, &compose(values.map(bounded), &vectors))
             })
             .collect();
         Self { tensors }
@@ -101,7 +161,7 @@ fn shapes(mesh: &TetMesh, directions: &[Mandel]) -> Vec<Mandel> {
         mean[..3].iter_mut().for_each(|d| *d += noise);
         shape(&mean)
     };
-    sum.iter().map(at).collect()
+    sum.par_iter().map(at).collect()
 }
 
 /// The tensor scaled to determinant 1, after its eigenvalues are bounded so that sizes differ by at
@@ -154,9 +214,15 @@ mod tests {
         cubes(&cells)
     }
 
-    fn none(mesh: &TetMesh) -> SizeLimits {
+    /// Limits of the same size everywhere.
+    fn even(mesh: &TetMesh, least: f64, most: f64) -> SizeLimits {
+        let tensor = compose([most.powi(-2); 3], &AXES);
         let n = mesh.nodes.len();
-        SizeLimits { least: vec![0.0; n], most: vec![f64::INFINITY; n] }
+        SizeLimits { least: vec![least; n], coarsest: Coarsest::new(&vec![tensor; n]) }
+    }
+
+    fn none(mesh: &TetMesh) -> SizeLimits {
+        even(mesh, 0.0, 1e6)
     }
 
     /// The metric that divides every tet into `parts` with the second derivatives `h`.
@@ -206,8 +272,7 @@ mod tests {
     #[test]
     fn limited_sizes() {
         let mesh = block();
-        let n = mesh.nodes.len();
-        let limits = SizeLimits { least: vec![4.0; n], most: vec![15.0; n] };
+        let limits = even(&mesh, 4.0, 15.0);
         for parts in [1e-3, 1.0, 1e3] {
             let metric = metric(&mesh, parts, [16.0, 4.0, 1.0, 0.0, 0.0, 0.0], &limits);
             for m in &metric.tensors {
@@ -217,6 +282,38 @@ mod tests {
             let made = metric.parts(&mesh)[0];
             assert!(made > 0.999 * few && made < 1.001 * many, "{few} {made} {many}");
         }
+    }
+
+    /// A metric within a long one is the finer of both in each direction of either.
+    #[test]
+    fn the_finer_in_each_direction() {
+        let slanted = [[0.8, 0.0, 0.6], [0.0, 1.0, 0.0], [-0.6, 0.0, 0.8]];
+        let (a, b) = (compose([9.0, 1.0, 4.0], &slanted), compose([2.0, 5.0, 2.0], &AXES));
+        let met = meet(&a, &b);
+        let along = |m: &Mandel, t: V3| {
+            let m = to_matrix(m);
+            (0..3)
+                .flat_map(|i| (0..3).map(move |j| (i, j)))
+                .map(|(i, j)| t[i] * m[i][j] * t[j])
+                .sum::<f64>()
+        };
+        for t in slanted.into_iter().chain(AXES) {
+            assert!(along(&met, t) >= along(&a, t).max(along(&b, t)) - 1e-9);
+        }
+        assert!((along(&met, slanted[0]) - 9.0).abs() < 1e-9);
+        assert!((along(&met, AXES[1]) - 5.0).abs() < 1e-9);
+        let again = meet(&b, &a);
+        assert!(met.iter().zip(again).all(|(x, y)| (x - y).abs() < 1e-9), "{met:?} {again:?}");
+    }
+
+    /// In its own metric a mesh has one regular tet in each of its tets, whatever its shape.
+    #[test]
+    fn the_metric_of_a_mesh_itself() {
+        let mut mesh = block();
+        mesh.nodes.iter_mut().for_each(|x| x[2] *= 0.3);
+        let parts = Metric { tensors: own(&mesh) }.parts(&mesh);
+        let mean = parts.iter().sum::<f64>() / parts.len() as f64;
+        assert!(mean > 0.7 && mean < 1.4, "{mean}");
     }
 
     /// Twice the volume over the surface: 6.67 for a plate of 40 × 40 × 10 mm, 13.3 for a cube of

@@ -10,3 +10,4 @@ pub mod optimum;
 pub mod plan;
 pub mod rates;
 pub mod track;
+pub mod twins;

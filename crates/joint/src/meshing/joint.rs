@@ -179,7 +179,7 @@ fn mend_flat(
     let Some(worst) = mend::worst_flat(mesh) else { return Ok(Vec::new()) };
     naming::name_imprints(mesh, scene);
     let stop = || options.interrupt.as_ref().is_some_and(|i| i.load(Ordering::Relaxed));
-    let mended = mend::mend(mesh, &stop);
+    let mended = mend::mend(mesh, mend::FLAT, &stop);
     mesh.faces.clear();
     match mended {
         Ok((made, mended)) => {

@@ -57,7 +57,7 @@ fn kept(mesh: &TetMesh) -> Vec<(String, f64)> {
 
 /// Checks everything that mending promises; returns the mended mesh.
 fn checked(before: &TetMesh) -> (TetMesh, Mended) {
-    let (after, mended) = mend(before, &|| false).expect("mended");
+    let (after, mended) = mend(before, FLAT, &|| false).expect("mended");
     let (old, new) = (kept(before), kept(&after));
     assert_eq!(old.len(), new.len(), "{old:?} {new:?}");
     for ((a, was), (b, is)) in old.iter().zip(&new) {
@@ -178,19 +178,19 @@ fn a_folded_mesh_is_unfolded() {
 #[test]
 fn a_body_that_is_flat_itself_is_not_mended() {
     let before = mesh(&SQUARE, &[([0, 1, 2, 3], 0)]);
-    assert!(mend(&before, &|| false).is_err());
+    assert!(mend(&before, FLAT, &|| false).is_err());
     // one with a thin body is returned as it is
     let mut nodes = SQUARE;
     nodes[3][2] = 0.01;
     let before = mesh(&nodes, &[([0, 1, 2, 3], 0)]);
-    let (after, mended) = mend(&before, &|| false).unwrap_or_else(|e| panic!("{e}"));
+    let (after, mended) = mend(&before, FLAT, &|| false).unwrap_or_else(|e| panic!("{e}"));
     assert_eq!((after.tets, mended.left), (before.tets.clone(), 1));
     assert!(mended.words().contains("1 flat tets are left"), "{}", mended.words());
 }
 
 #[test]
 fn an_interruption_ends_the_mending() {
-    assert!(mend(&folded(), &|| true).is_err());
+    assert!(mend(&folded(), FLAT, &|| true).is_err());
 }
 
 /// Collapse and split keep facets and edges; a corner stays, a node of an edge stays on it.
@@ -345,7 +345,7 @@ proptest! {
         let before = spoiled(&moves, &flats, &lids);
         let (after, mended) = checked(&before);
         prop_assert!(mended.left == 0, "{} of {} left", mended.left, mended.tets());
-        let again = mend(&before, &|| false).expect("mended");
+        let again = mend(&before, FLAT, &|| false).expect("mended");
         prop_assert_eq!(again, (after, mended));
     }
 }
