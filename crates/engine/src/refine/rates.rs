@@ -144,11 +144,10 @@ pub fn estimate(
 /// The estimate for the meshes of the bounds asked for, from a pass on `model`; `None` if it lacks
 /// the fields.
 ///
-/// The mesh of the lower bound follows the static program's own multipliers, the places near
-/// yield, and the directions of the multipliers' velocities; that of the upper bound follows the
-/// error of its mechanism, one mesh for both the contributions to the gap.
+/// The mesh of each bound follows the error of its mechanism, for the lower bound that of the static
+/// program's multipliers with the places near yield; one mesh for both follows the contributions to
+/// the gap.
 pub fn for_bounds(bounds: Bounds, model: &AnalysisModel, pass: &AnalysisPass) -> Option<Estimate> {
-    let share = pass.yield_multiplier_share();
     let directions = match bounds {
         Bounds::Static => {
             pass.static_velocities().map(|u| recovered_second_derivatives(&model.mesh, u))
@@ -158,10 +157,12 @@ pub fn for_bounds(bounds: Bounds, model: &AnalysisModel, pass: &AnalysisPass) ->
     let directions = directions.unwrap_or_default();
     let contributions = match bounds {
         Bounds::Both => {
+            let share = pass.yield_multiplier_share();
             return Some(Estimate { directions, ..estimate(model, pass.contributions()?, share) });
         }
         Bounds::Static => {
-            near_yield::shares(model, share?, pass.stress(model.has_coulomb_friction()))
+            let errors = mechanism_error::of_vertices(model, pass.static_velocities()?);
+            near_yield::shares(model, errors, pass.stress(model.has_coulomb_friction()))
         }
         Bounds::Kinematic => mechanism_error::of_tets(model, pass.velocity()?),
     };
