@@ -75,8 +75,9 @@ pub fn worst_flat(mesh: &TetMesh) -> Option<f64> {
     shapes.filter(|own| *own < FLAT).min_by(f64::total_cmp)
 }
 
-/// Mends the tets with a dihedral angle below `least` degrees ([`FLAT`]) in a mesh whose bodies share
-/// nodes and whose tets are oriented alike. Named faces that do not bound a region are lost.
+/// Mends the tets with a dihedral angle below `least` degrees (usually [`FLAT`]) in a mesh whose
+/// bodies share nodes and whose tets are oriented alike. Named faces that do not bound a region are
+/// lost.
 ///
 /// Returns why it cannot be mended if a flat or inverted tet is left.
 pub fn mend(

@@ -2,10 +2,11 @@
 //!
 //! The multipliers of the static program are a mechanism, and a finer mesh gains where the present
 //! one resolves it badly ([`super::mechanism_error`]). A joint has other mechanisms of almost the
-//! same load factor: two equal plates, for instance. A mesh that follows one alone lifts it, and the
-//! next one limits the bound. At an earlier stage of an interior-point solve slack s and multiplier
-//! z have the product μ: then `z = μ / s` shows them all. So tets near yield get the weight
-//! `δ / (s + δ)` per volume and yield strength, s the slack of the utilisation at a point of a tet.
+//! same load factor: two equal plates, for instance. A mesh that follows one alone lifts it, and
+//! the next one limits the bound. At an earlier stage of an interior-point solve slack s and
+//! multiplier z have the product μ: then `z = μ / s` shows them all. So tets near yield get the
+//! weight `δ / (s + δ)` per volume and yield strength, s the slack of the utilisation at a point of
+//! a tet.
 
 use crate::certify::fields::StressField;
 use crate::certify::plastic_field::length;

@@ -144,9 +144,9 @@ pub fn estimate(
 /// The estimate for the meshes of the bounds asked for, from a pass on `model`; `None` if it lacks
 /// the fields.
 ///
-/// The mesh of each bound follows the error of its mechanism, for the lower bound that of the static
-/// program's multipliers with the places near yield; one mesh for both follows the contributions to
-/// the gap.
+/// The mesh of each bound follows the error of its mechanism, for the lower bound that of the
+/// static program's multipliers with the places near yield; one mesh for both follows the
+/// contributions to the gap.
 pub fn for_bounds(bounds: Bounds, model: &AnalysisModel, pass: &AnalysisPass) -> Option<Estimate> {
     let directions = match bounds {
         Bounds::Static => {
