@@ -24,6 +24,9 @@ use std::time::Instant;
 /// Load factor of the load that a verdict is asked for.
 const LOAD: f64 = 1.0;
 
+/// Code of the fault of a lower bound above an upper one.
+pub const CONTRADICTION: &str = "bounds/contradiction";
+
 /// A pass whose fields are kept, with its mesh.
 pub struct Kept {
     /// Its bounds and fields.
@@ -232,7 +235,7 @@ pub fn joined(name: &str, entries: &[PassResult]) -> Result<CaseResult, Diagnost
         return Ok(with_safe(upper.entry));
     }
     combine::join(upper, entries[b.lower].clone()).map(with_safe).map_err(|e| {
-        Diagnostic::undecided("bounds/contradiction", e.to_string())
+        Diagnostic::undecided(CONTRADICTION, e.to_string())
             .help("the numbers are withheld; try `--solver clarabel`, and report the case")
             .into()
     })
