@@ -90,6 +90,45 @@ fn the_bound_without_friction_may_stay_on_the_first_mesh() {
     assert_eq!(text.matches("confirmed").count(), 3, "{text}");
 }
 
+/// Mmg makes the later meshes of a spec in limit analysis, gmsh where Mmg is missing, with a word.
+/// No lower bound of either exceeds an upper bound of the other, both narrow the first bracket, and
+/// `verify` confirms them.
+#[test]
+fn meshes_of_mmg_and_of_gmsh_bound_the_same_load() {
+    let bench = Bench::new();
+    let spec = "template: t_stub\nmembers: {tee: {profile: IPE300, steel: S235}}\nbolts: {size: \
+                M16, grade: \"8.8\", gauge: 100, rows: [0]}\nparameters: {length: 100, welded: \
+                true, flange_thickness: 12, flange_width: 160, web_height: 30}\nfriction: {mu: \
+                0}\nloads: [{name: ULS1, end: top, at: bolt_plane, N: 80 kN}]\nanalysis: {kind: \
+                limit, decide: false, max_passes: 2, target_gap: 0.01, max_macro_tets: 2500}\n";
+    std::fs::write(bench.path().join("stub.yaml"), spec).expect("written");
+    let brackets = [("mmg", None), ("gmsh", Some("no_such_mmg"))].map(|(name, remesher)| {
+        let args = ["run", "stub.yaml", "--size-factor", "2", "--out", name];
+        let mut command = bench.command(&args);
+        if let Some(remesher) = remesher {
+            command.env("BRACKET_MMG", remesher);
+        }
+        let run = command.output().expect("bracket starts");
+        let told = String::from_utf8_lossy(&run.stderr).into_owned();
+        assert_eq!(run.status.code(), Some(3), "{told}");
+        let without = told.contains("gmsh with a map of sizes in place of Mmg");
+        assert_eq!(without, remesher.is_some(), "{told}");
+        assert!(!told.contains("from here on"), "{told}");
+        let verified = bench.run(&["verify", name]);
+        let text = String::from_utf8_lossy(&verified.stdout).into_owned();
+        assert_eq!(verified.status.code(), Some(0), "{text}");
+        let result: Value =
+            serde_json::from_str(&bench.read(&format!("{name}/result.json"))).expect("JSON");
+        let case = &result["cases"][0];
+        let of = |row: &Value| ["lower", "upper"].map(|key| row[key].as_f64().expect("a bound"));
+        let (first, last) = (of(&case["history"][0]), of(case));
+        assert!(first[0] < last[0] && last[1] < first[1], "{name}: {first:?} {last:?}");
+        last
+    });
+    let [mmg, gmsh] = brackets;
+    assert!(mmg[0] <= gmsh[1] && gmsh[0] <= mmg[1], "{mmg:?} {gmsh:?}");
+}
+
 /// A T-stub has no checks by code. The complete route of analysis decides it on either side of its
 /// resistance: every step holds under less, and the upper bound refuses more without a second
 /// analysis. `verify` confirms the numbers of the route and refutes others.
