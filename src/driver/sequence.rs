@@ -107,7 +107,7 @@ impl Passes<'_> {
         self.log.line(format!("{}: mesh {} is left out: {why}", self.name, passes + 1));
         if let Some(last) = self.entries.last_mut() {
             last.entry.warnings.push(say!(
-                "mesh {} is left out, because its bounds contradict those of the earlier meshes: {}",
+                "mesh {} is left out: its bounds contradict those of the earlier meshes: {}",
                 passes + 1,
                 &why
             ));
@@ -423,7 +423,7 @@ mod tests {
         let joined = passes.joined().expect("bounds");
         assert_eq!(joined.factor_bounds(), before);
         let says = |w: &bracket_base::words::Text| {
-            w.to_string().starts_with("mesh 2 is left out, because its bounds contradict")
+            w.to_string().starts_with("mesh 2 is left out: its bounds contradict")
         };
         assert!(joined.warnings.iter().any(says), "{:?}", joined.warnings);
         // one that agrees counts
