@@ -14,7 +14,7 @@ use bracket_engine::model::file::{ModelFile, Nodes};
 use bracket_engine::model::resolve::resolve;
 use bracket_engine::refine::metric::{self, Coarsest, Metric, SizeLimits, least_sizes};
 use bracket_engine::refine::optimum::Design;
-use bracket_engine::refine::twins::Twins;
+use bracket_engine::refine::twins::{Images, Twins};
 use bracket_report::console::log::Log;
 use std::path::PathBuf;
 use std::rc::Rc;
@@ -87,14 +87,14 @@ struct Last {
     mesh: TetMesh,
     edges: Edges,
     limits: SizeLimits,
-    nearest: Nearest,
+    images: Images,
 }
 
 impl Last {
     fn new(mesh: TetMesh, start: &Start) -> Self {
         let (edges, limits) = (Edges::new(&mesh), start.limits(&mesh));
-        let nearest = Nearest::new(mesh.nodes.clone());
-        Self { mesh, edges, limits, nearest }
+        let images = start.twins.on(&mesh);
+        Self { mesh, edges, limits, images }
     }
 }
 
@@ -168,9 +168,9 @@ impl<'a> ByMetric<'a> {
 
     /// The metric whose unit tets are the wanted parts.
     fn metric(&self, wanted: &[f64], directions: &[Mandel]) -> Metric {
-        let Last { mesh, edges, limits, nearest } = &self.last;
+        let Last { mesh, edges, limits, images } = &self.last;
         let mut metric = Metric::new(mesh, edges, wanted, directions, limits);
-        self.start.twins.even(mesh, nearest, &mut metric);
+        images.even(&mut metric);
         metric
     }
 
@@ -212,9 +212,7 @@ impl<'a> ByMetric<'a> {
                 break;
             }
             let made = mended(made, &self.tools.interrupt, log);
-            let worst =
-                quality::table(&made).iter().fold(f64::INFINITY, |w, b| w.min(b.worst_dihedral));
-            let flat = worst < mend::FLAT;
+            let flat = mend::worst_flat(&made, mend::FLAT).is_some();
             if !flat && best.as_ref().is_none_or(|b| miss.abs() < b.0) {
                 best = Some((miss.abs(), made));
             }
@@ -238,7 +236,7 @@ impl<'a> ByMetric<'a> {
 
 /// The mesh with its flat tets mended, as far as they can be.
 fn mended(mesh: TetMesh, interrupt: &AtomicBool, log: &Log) -> TetMesh {
-    if quality::table(&mesh).iter().all(|b| b.worst_dihedral >= MENDED) {
+    if mend::worst_flat(&mesh, MENDED).is_none() {
         return mesh;
     }
     match mend::mend(&mesh, MENDED, &|| interrupt.load(Ordering::Relaxed)) {

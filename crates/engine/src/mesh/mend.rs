@@ -68,11 +68,11 @@ fn flat_tets(mesh: &TetMesh, least: f64) -> Vec<usize> {
     (0..mesh.tets.len()).filter(|e| shape(&mesh.corners(*e)) < least).collect()
 }
 
-/// The worst shape of the tets to be mended, if there are any: the smallest dihedral angle
-/// \[degrees\], or a number that is not positive if one of them is flat or inverted.
-pub fn worst_flat(mesh: &TetMesh) -> Option<f64> {
+/// The worst shape of the tets with a dihedral angle below `least` degrees, if there are any: the
+/// smallest angle, or a number that is not positive if one of them is flat or inverted.
+pub fn worst_flat(mesh: &TetMesh, least: f64) -> Option<f64> {
     let shapes = (0..mesh.tets.len()).map(|e| shape(&mesh.corners(e)));
-    shapes.filter(|own| *own < FLAT).min_by(f64::total_cmp)
+    shapes.filter(|own| *own < least).min_by(f64::total_cmp)
 }
 
 /// Mends the tets with a dihedral angle below `least` degrees (usually [`FLAT`]) in a mesh whose

@@ -73,21 +73,36 @@ impl Twins {
         Self { mirrors }
     }
 
-    /// Makes a metric at the nodes of a mesh of the same bodies nowhere coarser than its mirror
-    /// image; `nearest`: of the nodes.
-    pub fn even(&self, mesh: &TetMesh, nearest: &Nearest, metric: &mut Metric) {
-        for mirror in &self.mirrors {
+    /// The nodes of a mesh of the same bodies with their mirror images.
+    pub fn on(&self, mesh: &TetMesh) -> Images {
+        let nearest = Nearest::new(mesh.nodes.clone());
+        let of = |mirror: &Mirror| {
             let mut maps = vec![false; mesh.nodes.len()];
             for (t, body) in mesh.tets.iter().zip(&mesh.tet_body) {
                 if mirror.maps[*body as usize] {
                     t.iter().for_each(|n| maps[*n as usize] = true);
                 }
             }
+            let image = |n: usize| Some([n, nearest.to(mirror.image(mesh.nodes[n]))?]);
+            (0..maps.len()).filter(|n| maps[*n]).filter_map(image).collect()
+        };
+        Images { of_mirrors: self.mirrors.iter().map(|m| (m.clone(), of(m))).collect() }
+    }
+}
+
+/// For each mirror the nodes of a mesh that it maps, each with the node nearest to its image.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Images {
+    of_mirrors: Vec<(Mirror, Vec<[usize; 2]>)>,
+}
+
+impl Images {
+    /// Makes a metric at the nodes of the mesh nowhere coarser than its mirror image.
+    pub fn even(&self, metric: &mut Metric) {
+        for (mirror, images) in &self.of_mirrors {
             let before = metric.tensors.clone();
-            for (n, x) in mesh.nodes.iter().enumerate().filter(|(n, _)| maps[*n]) {
-                if let Some(image) = nearest.to(mirror.image(*x)) {
-                    metric.tensors[n] = meet(&before[n], &mirror.of_tensor(&before[image]));
-                }
+            for [n, image] in images {
+                metric.tensors[*n] = meet(&before[*n], &mirror.of_tensor(&before[*image]));
             }
         }
     }
@@ -147,7 +162,7 @@ mod tests {
         let at = |x: V3| mesh.nodes.iter().position(|n| norm(sub(*n, x)) < 1e-9).expect("a node");
         let mut metric = Metric { tensors: vec![even; mesh.nodes.len()] };
         metric.tensors[at([10.0, 10.0, 0.0])] = fine;
-        twins.even(&mesh, &Nearest::new(mesh.nodes.clone()), &mut metric);
+        twins.on(&mesh).even(&mut metric);
         let mirrored = [[0.8, 0.0, -0.6], [0.0, 1.0, 0.0], [0.6, 0.0, 0.8]];
         let want = compose([4.0, 1.0, 1.0], &mirrored);
         let found = metric.tensors[at([10.0, 10.0, 20.0])];

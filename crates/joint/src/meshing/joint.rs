@@ -176,7 +176,7 @@ fn mend_flat(
     options: &MeshOptions,
     progress: &mut dyn FnMut(&str),
 ) -> Result<Vec<(String, usize)>, MeshError> {
-    let Some(worst) = mend::worst_flat(mesh) else { return Ok(Vec::new()) };
+    let Some(worst) = mend::worst_flat(mesh, mend::FLAT) else { return Ok(Vec::new()) };
     naming::name_imprints(mesh, scene);
     let stop = || options.interrupt.as_ref().is_some_and(|i| i.load(Ordering::Relaxed));
     let mended = mend::mend(mesh, mend::FLAT, &stop);
