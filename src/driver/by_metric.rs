@@ -10,10 +10,12 @@ use bracket_engine::mesh::nearest::Nearest;
 use bracket_engine::mesh::polyhedron::Polyhedron;
 use bracket_engine::mesh::size_field::Edges;
 use bracket_engine::mesh::{TetMesh, mend, quality};
+use bracket_engine::model::AnalysisKind;
 use bracket_engine::model::file::{ModelFile, Nodes};
 use bracket_engine::model::resolve::resolve;
 use bracket_engine::refine::metric::{self, Coarsest, Metric, SizeLimits, least_sizes};
 use bracket_engine::refine::optimum::Design;
+use bracket_engine::refine::plan;
 use bracket_engine::refine::twins::{Images, Twins};
 use bracket_report::console::log::Log;
 use std::path::PathBuf;
@@ -50,6 +52,11 @@ const MENDED: f64 = 1.5;
 /// Largest length of an element over that on the first mesh, in any direction, away from contacts,
 /// loads and supports, where no element is longer.
 const COARSER: f64 = 1.8;
+
+/// Ratio of real to ideal gap of elastic analysis for a four-fold growth: the ideal one knows the
+/// sizes of the elements and not their directions (the paper's joint: 0.77 on 26 thousand tets,
+/// 0.69 on 74 thousand).
+const ELASTIC_LOSS: f64 = 0.8;
 
 /// Time limit of one run of Mmg \[s\].
 const SECONDS: f64 = 300.0;
@@ -271,6 +278,14 @@ impl<'a> Remesh<'a> for ByMetric<'a> {
         match &self.other {
             Some(other) => other.realised(wanted, directions),
             None => self.metric(wanted, directions).parts(&self.last.mesh),
+        }
+    }
+
+    fn loss(&self) -> f64 {
+        match &self.other {
+            Some(other) => other.loss(),
+            None if self.file.analysis == AnalysisKind::Elastic => ELASTIC_LOSS,
+            None => plan::LOSS,
         }
     }
 

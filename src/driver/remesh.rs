@@ -1,5 +1,5 @@
-//! Makes the next mesh of a case. The geometry of a spec is meshed again with a map of sizes; a
-//! user's mesh is refined by bisection.
+//! Makes the next mesh of a case where Mmg does not ([`super::by_metric`]). The geometry of a spec is
+//! meshed again with a map of sizes; a user's mesh is refined by bisection.
 
 use crate::driver::interrupt::Interrupt;
 use crate::driver::meshing::{clean, quality_table};
@@ -14,6 +14,7 @@ use bracket_engine::model::AnalysisModel;
 use bracket_engine::model::file::{ModelFile, Nodes};
 use bracket_engine::model::resolve::resolve;
 use bracket_engine::refine::optimum::Design;
+use bracket_engine::refine::plan;
 use bracket_joint::assembly::Joint;
 use bracket_joint::meshing::joint::{MeshOptions, mesh_joint};
 use bracket_joint::model_file::{self, Asked};
@@ -43,6 +44,11 @@ pub trait Remesh<'a> {
     /// Number of parts into which each tet of the last mesh will be divided for the wanted numbers
     /// and directions, as far as it is known beforehand.
     fn realised(&self, wanted: &[f64], directions: &[Mandel]) -> Vec<f64>;
+
+    /// Ratio of real to ideal gap for a four-fold growth of the mesh, before any pass shows it.
+    fn loss(&self) -> f64 {
+        plan::LOSS
+    }
 
     /// Makes the mesh of a design, in at most `seconds`.
     fn remesh(&mut self, design: &Design, seconds: f64, log: &Log) -> Result<Made, Diagnostics>;

@@ -211,7 +211,7 @@ impl Passes<'_> {
             let finer = || estimate.curve(FINER * present.tets as f64, &realised);
             (next, (!coarser).then(finer))
         } else {
-            plan::next(&track.steps, own_gap, adapt, &budget, &mut |most| {
+            plan::next(&track.steps, own_gap, adapt, &budget, remesher.loss(), &mut |most| {
                 estimate.curve(most, &realised)
             })
         };

@@ -124,9 +124,9 @@ pub fn cases<'a>(
 /// What makes further meshes where Mmg is absent or fails.
 const BY_MAP: &str = "gmsh with a map of sizes";
 
-/// Lets the cases make further meshes. In limit analysis Mmg makes them from the last one and a
-/// metric; else, and where it fails, gmsh meshes the geometry again with a map of sizes. The
-/// directions of a polygon share the first mesh and get no further one.
+/// Lets the cases make further meshes. In elastic and in limit analysis Mmg makes them from the last
+/// one and a metric; else, and where it fails, gmsh meshes the geometry again with a map of sizes.
+/// The directions of a polygon share the first mesh and get no further one.
 pub fn give_remesh<'a>(
     cases: &mut [Case<'a>],
     input: &'a SpecFile,
@@ -135,8 +135,9 @@ pub fn give_remesh<'a>(
     place: Places<'a>,
     (interrupt, log): (&Interrupt, &Log),
 ) {
-    let limit = cases.iter().any(|c| c.model.analysis == AnalysisKind::Limit);
-    let remesher = limit.then(|| remesher(BY_MAP, interrupt, log)).flatten();
+    let metric = |k: AnalysisKind| k != AnalysisKind::Elastoplastic;
+    let any = cases.iter().any(|c| metric(c.model.analysis));
+    let remesher = any.then(|| remesher(BY_MAP, interrupt, log)).flatten();
     for case in cases.iter_mut().filter(|c| c.direction.is_none()) {
         let asked = asked(input, &case.name, case.model.analysis);
         let (options, estimates) = (options.clone(), case.model.coulomb_estimate);
@@ -145,7 +146,7 @@ pub fn give_remesh<'a>(
             let by_map = ByMap::new(&input.joint, options.clone(), asked.clone(), place, mesh);
             Box::new(by_map.estimating(estimates)) as Box<dyn Remesh<'a> + 'a>
         };
-        let by_metric = remesher.clone().filter(|_| case.model.analysis == AnalysisKind::Limit);
+        let by_metric = remesher.clone().filter(|_| metric(case.model.analysis));
         case.remesh = Some(match by_metric {
             Some(remesher) => {
                 let tools = Tools {

@@ -7,8 +7,10 @@ use bracket::analysis::limit::{self, LimitPass};
 use bracket::analysis::pass::PassOptions;
 use bracket::analysis::program::Program;
 use bracket::model::AnalysisModel;
+use bracket::model::file::Bounds;
 use bracket::solve::SolveOptions;
 use std::sync::{Arc, Mutex};
+use std::time::{Duration, Instant};
 
 /// Two stacked leaves, clamped at one end and pressed and bent at the other, with this contact.
 fn leaves(contact: &str) -> AnalysisModel {
@@ -96,4 +98,32 @@ fn a_time_limit_leaves_the_lower_bound() {
     limit::add_upper(&mut pass, &model, &over, &silent()).unwrap();
     assert_eq!(pass.kinematic.as_ref().unwrap().status.words(), "time limit");
     assert!(pass.upper.is_none() && pass.lower.as_ref().unwrap().value() == lower.value());
+}
+
+/// A lower bound whose time ends before the solver's tolerances are reached is strict, certified
+/// from its own field, and not above the one with all the time.
+#[test]
+fn time_that_ends_late_leaves_a_bound() {
+    let model = AnalysisModel { bounds: Bounds::Static, ..leaves(CONTACTS[0]) };
+    let whole = limit::run(&model, &PassOptions::default(), &silent()).unwrap();
+    let seconds = 4.0;
+    let solve = SolveOptions { time_limit: seconds, ..SolveOptions::default() };
+    let start = Instant::now();
+    let slow: Progress = Arc::new(move |_, event| {
+        if let Event::Iteration(i) = event
+            && i.gap < 5e-3
+            && i.residual < 5e-4
+        {
+            let left = seconds - start.elapsed().as_secs_f64();
+            std::thread::sleep(Duration::from_secs_f64(left.max(0.0) + 0.1));
+        }
+    });
+    let options = PassOptions { solve, ..PassOptions::default() };
+    let pass = limit::run(&model, &options, &slow).unwrap();
+    let run = pass.statics.as_ref().unwrap();
+    assert_eq!(run.status.words(), "almost optimal");
+    assert!(run.iterations < whole.statics.as_ref().unwrap().iterations);
+    let [cut, full] = [&pass, &whole].map(|p| p.lower.clone().unwrap());
+    assert!(cut.is_strict() && cut.value() <= full.value() * (1.0 + 1e-3), "{cut:?} {full:?}");
+    assert!(cut.value() > 0.98 * full.value(), "{cut:?} {full:?}");
 }

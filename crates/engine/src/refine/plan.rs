@@ -99,7 +99,11 @@ const LARGER: f64 = 1.15;
 /// Initial estimate of the ratio of real to ideal gap for a four-fold growth of the mesh, and at
 /// least for any redesign. The contributions come from another mesh, and the mesher follows the
 /// wanted sizes only roughly.
-const LOSS: f64 = 1.15;
+pub const LOSS: f64 = 1.15;
+
+/// Range of that ratio. Elements that follow the directions of a field gain more than the ideal gap
+/// of their sizes promises.
+const LOSSES: [f64; 2] = [0.65, 2.0];
 
 /// Initial estimate of the exponent of the time of a pass in its number of tets.
 const TIME_EXPONENT: f64 = 1.35;
@@ -137,9 +141,10 @@ fn growth(from: f64, to: f64) -> f64 {
 }
 
 impl<'a> Experience<'a> {
-    fn of(steps: &'a [Step]) -> Option<Self> {
+    /// `loss`: the ratio before any pass shows it.
+    fn of(steps: &'a [Step], loss: f64) -> Option<Self> {
         let last = steps.last()?;
-        let mut loss = (LOSS.ln(), 1.0);
+        let mut loss = (loss.ln(), 1.0);
         for pair in steps.windows(2) {
             let Some(p) = pair[1].predicted else { continue };
             let found = (pair[1].gap / p.ideal_gap).ln()
@@ -154,7 +159,11 @@ impl<'a> Experience<'a> {
             .clamp(TIME_EXPONENTS[0], TIME_EXPONENTS[1]),
             _ => TIME_EXPONENT,
         };
-        Some(Self { last, loss: (loss.0 / loss.1).clamp(0.8f64.ln(), 2f64.ln()), time_exponent })
+        Some(Self {
+            last,
+            loss: (loss.0 / loss.1).clamp(LOSSES[0].ln(), LOSSES[1].ln()),
+            time_exponent,
+        })
     }
 
     fn seconds(&self, tets: f64) -> f64 {
@@ -174,21 +183,22 @@ impl<'a> Experience<'a> {
     }
 }
 
-/// Decides after the passes `steps`. `best_gap`: relative gap of the best bracket so far; `curve`:
-/// computes the curve of possible next meshes up to a number of tets, called only where it is
+/// Decides after the passes `steps`. `best_gap`: relative gap of the best bracket so far; `loss`:
+/// ratio of real to ideal gap for a four-fold growth, before any pass shows it; `curve`: computes the curve of possible next meshes up to a number of tets, called only where it is
 /// needed. Returns the curve with a decision to refine.
 pub fn next(
     steps: &[Step],
     best_gap: f64,
     limits: &Limits,
     budget: &Budget,
+    loss: f64,
     curve: &mut dyn FnMut(f64) -> Curve,
 ) -> (Next, Option<Curve>) {
     if best_gap <= limits.target_gap {
         return (Next::Stop(Stop::Target), None);
     }
     let passes_left = (limits.max_passes as usize).saturating_sub(steps.len());
-    let experience = match Experience::of(steps) {
+    let experience = match Experience::of(steps, loss) {
         Some(e) if passes_left > 0 => e,
         _ => return (Next::Stop(Stop::Passes), None),
     };
@@ -278,7 +288,7 @@ mod tests {
 
     fn decide(steps: &[Step], limits: &Limits, budget: &Budget) -> Next {
         let last = steps[steps.len() - 1];
-        next(steps, last.gap, limits, budget, &mut smooth(last.tets)).0
+        next(steps, last.gap, limits, budget, LOSS, &mut smooth(last.tets)).0
     }
 
     #[test]
@@ -344,7 +354,10 @@ mod tests {
             .curve(1e5, &|w| w.to_vec())
         };
         let mut none = none;
-        assert_eq!(next(&[first], 0.04, &far, &ENDLESS, &mut none).0, Next::Stop(Stop::Nothing));
+        assert_eq!(
+            next(&[first], 0.04, &far, &ENDLESS, LOSS, &mut none).0,
+            Next::Stop(Stop::Nothing)
+        );
     }
 
     /// Where the target is out of reach, a design of the same size is not worth its time, however
@@ -365,7 +378,7 @@ mod tests {
         };
         let mut with = |times: f64| {
             let budget = Budget { seconds: times * steps[1].seconds, bytes: None };
-            next(&steps, 0.1, &far, &budget, &mut uneven).0
+            next(&steps, 0.1, &far, &budget, LOSS, &mut uneven).0
         };
         assert_eq!(with(1.2), Next::Stop(Stop::Time));
         let Next::Refine(p) = with(3.0) else { panic!("a pass") };
@@ -388,7 +401,7 @@ mod tests {
         let predicted = Prediction { tets: 2000.0, gap: 0.02, ideal_gap: 0.018, seconds: 1.0 };
         let of = |gap| {
             let second = Step { predicted: Some(predicted), ..step(2000, gap) };
-            Experience::of(&[step(1000, 0.04), second]).map(|e| e.loss).unwrap_or_default()
+            Experience::of(&[step(1000, 0.04), second], LOSS).map(|e| e.loss).unwrap_or_default()
         };
         assert!(of(0.03) > of(0.018) && of(0.03) > LOSS.ln());
         let second = Step { predicted: Some(predicted), ..step(2000, 0.03) };

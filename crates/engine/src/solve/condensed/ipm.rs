@@ -71,10 +71,13 @@ pub fn iterate(
     // the best iterate is a solution when it is nearly as good as the tolerances ask; the fields
     // are certified in any case
     let nearly = rules.nearly(problem.is_limit());
+    let cut_off = if problem.is_limit() { rules.limit_cut_off } else { 0.0 };
     let stop = |status, best: Point, merit: f64, iteration| {
-        let good = merit <= nearly && !matches!(status, SolveStatus::TimeLimit);
-        end(if good { SolveStatus::AlmostOptimal } else { status }, best, iteration)
+        let enough = if status == SolveStatus::TimeLimit { cut_off } else { nearly };
+        let status = if merit <= enough { SolveStatus::AlmostOptimal } else { status };
+        end(status, best, iteration)
     };
+    let mut merits = Vec::new();
     for iteration in 0..=rules.max_iterations {
         let r = residuals(problem, settings, &p, reference);
         // 1 at the tolerances
@@ -104,6 +107,10 @@ pub fn iterate(
             if worse == rules.not_better {
                 return stop(SolveStatus::ReducedAccuracy, best, best_merit, iteration);
             }
+        }
+        merits.push(best_merit);
+        if best_merit <= cut_off && rules.crawls(&merits) {
+            return end(SolveStatus::AlmostOptimal, best, iteration);
         }
         if iteration == rules.max_iterations {
             return stop(SolveStatus::IterationLimit, best, best_merit, iteration);
