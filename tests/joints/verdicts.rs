@@ -90,17 +90,29 @@ fn the_bound_without_friction_may_stay_on_the_first_mesh() {
     assert_eq!(text.matches("confirmed").count(), 3, "{text}");
 }
 
-/// Mmg makes the later meshes of a spec in limit analysis, gmsh where Mmg is missing, with a word.
-/// No lower bound of either exceeds an upper bound of the other, both narrow the first bracket, and
-/// `verify` confirms them.
+/// Mmg makes the later meshes of a spec, gmsh where Mmg is missing, with a word. No lower bound of
+/// either exceeds an upper bound of the other, both narrow the first bracket, and `verify` confirms
+/// them: of the load in limit analysis, of the energy in elastic analysis.
 #[test]
 fn meshes_of_mmg_and_of_gmsh_bound_the_same_load() {
+    remeshed("limit, decide: false");
+}
+
+#[test]
+fn meshes_of_mmg_and_of_gmsh_bound_the_same_energy() {
+    remeshed("elastic");
+}
+
+/// Runs a T-stub with both remeshers.
+fn remeshed(kind: &str) {
     let bench = Bench::new();
-    let spec = "template: t_stub\nmembers: {tee: {profile: IPE300, steel: S235}}\nbolts: {size: \
-                M16, grade: \"8.8\", gauge: 100, rows: [0]}\nparameters: {length: 100, welded: \
-                true, flange_thickness: 12, flange_width: 160, web_height: 30}\nfriction: {mu: \
-                0}\nloads: [{name: ULS1, end: top, at: bolt_plane, N: 80 kN}]\nanalysis: {kind: \
-                limit, decide: false, max_passes: 2, target_gap: 0.01, max_macro_tets: 2500}\n";
+    let spec = format!(
+        "template: t_stub\nmembers: {{tee: {{profile: IPE300, steel: S235}}}}\nbolts: {{size: M16, \
+         grade: \"8.8\", gauge: 100, rows: [0]}}\nparameters: {{length: 100, welded: true, \
+         flange_thickness: 12, flange_width: 160, web_height: 30}}\nfriction: {{mu: 0}}\nloads: \
+         [{{name: ULS1, end: top, at: bolt_plane, N: 80 kN}}]\nanalysis: {{kind: {kind}, \
+         max_passes: 2, target_gap: 0.01, max_macro_tets: 2500}}\n"
+    );
     std::fs::write(bench.path().join("stub.yaml"), spec).expect("written");
     let brackets = [("mmg", None), ("gmsh", Some("no_such_mmg"))].map(|(name, remesher)| {
         let args = ["run", "stub.yaml", "--size-factor", "2", "--out", name];
