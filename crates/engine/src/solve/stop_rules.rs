@@ -47,8 +47,8 @@ pub struct StopRules {
     /// strict at any iterate, and only as good as it. T-stub on 23 720 tets: at 66 tolerances after
     /// 15 of 66 iterations, the others with steps of 0.02.
     pub limit_cut_off: f64,
-    /// An iteration of limit analysis crawls where this number of iterations reduces the excess over
-    /// the tolerances by less than to this fraction. 148 other solves reduced it to 0.22 or less.
+    /// An iteration of limit analysis crawls where this number of iterations leaves more than this
+    /// fraction of the excess over the tolerances. 148 other solves left 0.22 or less.
     pub crawl: (usize, f64),
     /// Iterations without a better iterate that end the solve once one is almost optimal: the limit
     /// of the arithmetic.
