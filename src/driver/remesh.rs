@@ -1,5 +1,5 @@
-//! Makes the next mesh of a case where Mmg does not ([`super::by_metric`]). The geometry of a spec is
-//! meshed again with a map of sizes; a user's mesh is refined by bisection.
+//! Makes the next mesh of a case where Mmg does not ([`super::by_metric`]). The geometry of a spec
+//! is meshed again with a map of sizes; a user's mesh is refined by bisection.
 
 use crate::driver::interrupt::Interrupt;
 use crate::driver::meshing::{clean, quality_table};

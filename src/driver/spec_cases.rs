@@ -124,9 +124,9 @@ pub fn cases<'a>(
 /// What makes further meshes where Mmg is absent or fails.
 const BY_MAP: &str = "gmsh with a map of sizes";
 
-/// Lets the cases make further meshes. In elastic and in limit analysis Mmg makes them from the last
-/// one and a metric; else, and where it fails, gmsh meshes the geometry again with a map of sizes.
-/// The directions of a polygon share the first mesh and get no further one.
+/// Lets the cases make further meshes. In elastic and in limit analysis Mmg makes them from the
+/// last one and a metric; else, and where it fails, gmsh meshes the geometry again with a map of
+/// sizes. The directions of a polygon share the first mesh and get no further one.
 pub fn give_remesh<'a>(
     cases: &mut [Case<'a>],
     input: &'a SpecFile,

@@ -184,8 +184,9 @@ impl<'a> Experience<'a> {
 }
 
 /// Decides after the passes `steps`. `best_gap`: relative gap of the best bracket so far; `loss`:
-/// ratio of real to ideal gap for a four-fold growth, before any pass shows it; `curve`: computes the curve of possible next meshes up to a number of tets, called only where it is
-/// needed. Returns the curve with a decision to refine.
+/// ratio of real to ideal gap for a four-fold growth, before any pass shows it; `curve`: computes
+/// the curve of possible next meshes up to a number of tets, called only where it is needed.
+/// Returns the curve with a decision to refine.
 pub fn next(
     steps: &[Step],
     best_gap: f64,
