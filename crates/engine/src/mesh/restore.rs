@@ -13,16 +13,16 @@ use std::collections::{BTreeMap, HashMap};
 /// remeshing, up to which both are equal: rounding of sums over thousands of tets.
 const SAME: f64 = 1e-9;
 
-/// Distance by which a node may lie off its plane or line before it is moved onto it, over the
-/// diagonal of the mesh.
+/// Distance from a corner within which a node is that corner, over the diagonal of the mesh.
 const NEAR: f64 = 1e-6;
 
-/// The same where the remesher let a node stray: volumes and areas show whether it still fits.
+/// Distance by which the remesher may let a node stray from its plane or line, over the diagonal of
+/// the mesh. The node is moved back; volumes and areas show whether the mesh still fits.
 const STRAYED: f64 = 1e-3;
 
 /// The mesh of `made` with bodies and names of `old`, whose polyhedron is `p`.
 pub fn restore(old: &TetMesh, p: &Polyhedron, made: MeditMesh) -> Result<TetMesh, String> {
-    let near = NEAR / super::polyhedron::ON * p.tolerance;
+    let diagonal = p.tolerance / super::polyhedron::ON;
     let MeditMesh { mut nodes, tets: given, triangles } = made;
     let mut tets: Vec<[u32; 4]> = Vec::with_capacity(given.len());
     let mut regions: Vec<u32> = Vec::with_capacity(given.len());
@@ -46,7 +46,7 @@ pub fn restore(old: &TetMesh, p: &Polyhedron, made: MeditMesh) -> Result<TetMesh
         f.sort_unstable();
         f.dedup();
     });
-    place_nodes(old, p, &mut nodes, &facets_at, near)?;
+    place_nodes(old, p, &mut nodes, &facets_at, diagonal)?;
     let mesh = assemble(old, p, nodes, tets, &regions, &facet_of);
     check(p, &mesh, &regions, &facet_of)?;
     Ok(dropped(mesh))
@@ -87,8 +87,9 @@ fn place_nodes(
     p: &Polyhedron,
     nodes: &mut [V3],
     facets_at: &BTreeMap<u32, Vec<u32>>,
-    near: f64,
+    diagonal: f64,
 ) -> Result<(), String> {
+    let near = NEAR * diagonal;
     let cell = |x: &V3| x.map(|c| (c / (2.0 * near)).round() as i64);
     let mut corners: HashMap<[i64; 3], Vec<u32>> = HashMap::new();
     for n in &p.corners {
@@ -129,7 +130,7 @@ fn place_nodes(
             let by_distance = |a: &V3, b: &V3| norm(sub(*a, x)).total_cmp(&norm(sub(*b, x)));
             on.min_by(by_distance).ok_or("an edge was lost")?
         };
-        if norm(sub(to, x)) >= STRAYED / NEAR * near {
+        if norm(sub(to, x)) >= STRAYED * diagonal {
             return Err("a node left its plane or line".into());
         }
         nodes[*n as usize] = to;
