@@ -51,8 +51,13 @@ pub fn add_load_steps(
         }
         let model = base.at_load_factor(factor);
         log.stage(format!("load step {factor}"));
-        let terms =
-            Terms { until, answer_from: None, both_within: f64::INFINITY, patterns: &patterns };
+        let terms = Terms {
+            until,
+            answer_from: None,
+            both_within: f64::INFINITY,
+            to_be_refined: false,
+            patterns: &patterns,
+        };
         let pass = run_pass(&entry.name, &model, &terms, limits, log)?;
         let found = pass_entry(&pass, &entry.name, &model, None);
         steps.push(step_of(factor, &found, bolts(setup, &model, &pass)));

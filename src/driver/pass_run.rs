@@ -11,7 +11,7 @@ use bracket_engine::analysis::program_outcome::InsufficientMemory;
 use bracket_engine::certify::faces::contact_faces;
 use bracket_engine::model::AnalysisKind;
 use bracket_engine::model::AnalysisModel;
-use bracket_engine::solve::{Patterns, SolveOptions};
+use bracket_engine::solve::{Patterns, SolveOptions, StopRules};
 use bracket_report::console::log::Log;
 use bracket_report::console::progress;
 use bracket_report::result::refusal::refusal_words;
@@ -39,6 +39,8 @@ pub struct Terms<'a> {
     pub answer_from: Option<f64>,
     /// See [`PassOptions`] \[s\].
     pub both_within: f64,
+    /// Whether its mesh is to be refined, so that a rough solution is enough.
+    pub to_be_refined: bool,
     /// The sparsity patterns that earlier passes on this mesh have found.
     pub patterns: &'a Patterns,
 }
@@ -104,6 +106,10 @@ fn options(
         time_limit: left,
         interrupt,
         patterns,
+        stop: match terms.to_be_refined {
+            true => StopRules::to_be_refined(),
+            false => StopRules::default(),
+        },
         ..SolveOptions::default()
     };
     let (shown, tolerance) = (log.clone(), AnalysisPass::tolerance(model, &solve));

@@ -48,6 +48,8 @@ pub struct Share<'a> {
     /// Time that both bounds of a limit analysis on the first mesh may take \[s\]; where more is
     /// expected, the lower one is computed alone.
     pub both_within: f64,
+    /// Whether the first mesh is to be refined.
+    pub refined: bool,
     /// Sparsity patterns that passes on the first mesh have found.
     pub patterns: &'a Patterns,
     /// What is measured in the fields of elastoplastic analysis, for the route of analysis.
@@ -99,8 +101,10 @@ impl<'a> Passes<'a> {
         let own = Patterns::default();
         let mut terms = Terms { answer_from: self.answer_from(&model), ..self.first_terms() };
         if index > 0 {
+            let Share { until, .. } = self.share;
             let both_within = f64::INFINITY;
-            terms = Terms { until: self.share.until, both_within, patterns: &own, ..terms };
+            let to_be_refined = predicted.is_some_and(|p| p.first_of_two);
+            terms = Terms { until, both_within, to_be_refined, patterns: &own, ..terms };
         }
         let outcome = run_pass(&self.name, &model, &terms, self.limits, self.log)?;
         let mut entry = pass_entry(&outcome, &self.name, &model, mesh_seconds);
@@ -128,8 +132,9 @@ impl<'a> Passes<'a> {
 
     /// Terms of a pass on the first mesh, which may take all of the time of the run.
     fn first_terms(&self) -> Terms<'a> {
-        let Share { both_within, patterns, .. } = self.share;
-        Terms { until: f64::INFINITY, answer_from: None, both_within, patterns }
+        let Share { both_within, patterns, refined: to_be_refined, .. } = self.share;
+        let until = f64::INFINITY;
+        Terms { until, answer_from: None, both_within, to_be_refined, patterns }
     }
 
     /// Adds the upper bound on the first mesh where the lower one was computed alone.

@@ -5,7 +5,7 @@ use crate::driver::adaptive::Begun;
 use crate::driver::case::Case;
 use crate::driver::limits::Limits;
 use crate::driver::passes::{Share, lost};
-use crate::driver::setup::RunSetup;
+use crate::driver::setup::{Refinement, RunSetup};
 use bracket_base::diag::Diagnostics;
 use bracket_engine::model::AnalysisKind;
 use bracket_engine::solve::Patterns;
@@ -28,8 +28,8 @@ enum Place<'a, 'r> {
 pub struct Queue<'a, 'r> {
     places: Vec<Place<'a, 'r>>,
     patterns: &'a Patterns,
-    /// Advice on a coarser mesh.
-    coarser: &'static str,
+    /// How far the meshes are refined.
+    refinement: Refinement,
     limits: &'a Limits,
     log: &'a Arc<Log>,
     /// What is measured for the route of analysis.
@@ -49,10 +49,10 @@ impl<'a, 'r> Queue<'a, 'r> {
         limits: &'a Limits,
         log: &'a Arc<Log>,
     ) -> Self {
-        let (coarser, evidence) = (setup.refinement.coarser, setup.evidence.as_ref());
+        let (refinement, evidence) = (setup.refinement, setup.evidence.as_ref());
         let decide = setup.decide;
         let places = cases.into_iter().map(|c| Place::Waiting(Box::new(c))).collect();
-        Self { places, patterns, coarser, limits, log, evidence, decide, first: true }
+        Self { places, patterns, refinement, limits, log, evidence, decide, first: true }
     }
 
     /// Computes the lower bound of every limit analysis of a load case on the first mesh; `time`:
@@ -117,11 +117,13 @@ impl<'a, 'r> Queue<'a, 'r> {
             let share = Share {
                 until: f64::INFINITY,
                 both_within,
+                refined: self.refinement.refines(),
                 patterns: self.patterns,
                 evidence: self.evidence,
                 decide,
             };
-            let begun = Begun::new(*case, first, share, self.coarser, self.limits, self.log)?;
+            let begun =
+                Begun::new(*case, first, share, self.refinement.coarser, self.limits, self.log)?;
             *place = Place::Begun(Box::new(begun));
         }
         match place {

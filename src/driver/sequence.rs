@@ -26,13 +26,32 @@ pub struct Sequence<'a> {
     last: usize,
     /// No further mesh could be made, or the last one gave no bound.
     failed: bool,
+    /// Its last mesh was made for a larger one to follow.
+    goes_on: bool,
 }
 
 impl<'a> Sequence<'a> {
     /// A sequence that starts from the first mesh.
     pub fn new(bounds: Bounds, remesher: Box<dyn Remesh<'a> + 'a>) -> Self {
-        Self { track: Track::new(bounds), remesher, last: 0, failed: false }
+        Self { track: Track::new(bounds), remesher, last: 0, failed: false, goes_on: false }
     }
+
+    /// Its share of the gap of the bracket.
+    fn gap(&self) -> f64 {
+        self.track.steps.last().map_or(0.0, |s| s.gap)
+    }
+}
+
+/// Part of the remaining time for the first of the tracks `waiting`. The others of them, and those
+/// that had their turn and are to make a larger mesh, need the rest. Each has a time in proportion
+/// to its error, which makes the sum of the errors least: an error falls with a power of the time.
+fn part(tracks: &[Sequence], waiting: &[usize]) -> f64 {
+    let [first, ..] = waiting else { return 0.0 };
+    let goes_on = |i: &usize| waiting.contains(i) || tracks[*i].goes_on;
+    let going: Vec<usize> =
+        (0..tracks.len()).filter(|i| !tracks[*i].failed && goes_on(i)).collect();
+    let share = tracks[*first].gap() / going.iter().map(|i| tracks[*i].gap()).sum::<f64>();
+    if share.is_finite() { share } else { 1.0 / going.len() as f64 }
 }
 
 impl Passes<'_> {
@@ -59,10 +78,9 @@ impl Passes<'_> {
             let shared = tracks.iter().filter(|t| !t.failed).count();
             let mut order: Vec<usize> = (0..tracks.len()).collect();
             if whole {
-                let gap = |i: usize| tracks[i].track.steps.last().map_or(0.0, |s| s.gap);
-                order.sort_by(|a, b| gap(*b).total_cmp(&gap(*a)));
+                order.sort_by(|a, b| tracks[*b].gap().total_cmp(&tracks[*a].gap()));
             }
-            for i in order {
+            for (turn, &i) in order.iter().enumerate() {
                 if self.limits.interrupt.asked() {
                     return Ok(None);
                 }
@@ -71,9 +89,7 @@ impl Passes<'_> {
                     continue;
                 }
                 let best = self.divide(tracks)?;
-                // the tracks that follow in this round need their part of the time
-                let waiting = tracks[i..].iter().filter(|t| !t.failed).count();
-                let part = if whole { 1.0 } else { 1.0 / waiting as f64 };
+                let part = if whole { 1.0 } else { part(tracks, &order[turn..]) };
                 match self.refine(&mut tracks[i], adapt, best, part)? {
                     Refined::Mesh => refined = true,
                     // of both reasons the one that another mesh could remove
@@ -188,7 +204,7 @@ impl Passes<'_> {
         if best_gap <= adapt.target_gap && !self.share.decide {
             return Ok(Refined::Stop(Stop::Target));
         }
-        let Sequence { track, remesher, last, .. } = sequence;
+        let Sequence { track, remesher, last, goes_on, .. } = sequence;
         let (name, log) = (self.name.clone(), self.log);
         let budget = Budget {
             seconds: part * (self.share.until - log.seconds()),
@@ -215,6 +231,7 @@ impl Passes<'_> {
                 estimate.curve(most, &realised)
             })
         };
+        *goes_on = matches!(choice, Next::Refine(p) if p.first_of_two);
         let p = match choice {
             Next::Refine(p) => p,
             Next::Stop(why) => return Ok(Refined::Stop(why)),
@@ -317,7 +334,7 @@ fn for_estimates(
         _ if passes >= adapt.max_passes as usize => Next::Stop(Stop::Passes),
         _ if tets > adapt.max_macro_tets as f64 => Next::Stop(Stop::Tets),
         _ if seconds > budget.seconds => Next::Stop(Stop::Time),
-        () => Next::Refine(Prediction { tets, gap, ideal_gap: gap, seconds }),
+        () => Next::Refine(Prediction { tets, gap, ideal_gap: gap, seconds, first_of_two: false }),
     }
 }
 
@@ -410,6 +427,7 @@ mod tests {
         let share = Share {
             until: f64::INFINITY,
             both_within: f64::INFINITY,
+            refined: false,
             patterns: &patterns,
             evidence: None,
             decide: false,

@@ -40,3 +40,10 @@ pub struct Refinement {
     /// Advice on how to get a coarser mesh.
     pub coarser: &'static str,
 }
+
+impl Refinement {
+    /// Whether a first mesh is to be refined.
+    pub fn refines(&self) -> bool {
+        self.adapt.is_some_and(|a| a.max_passes > 1)
+    }
+}

@@ -298,6 +298,7 @@ fn study(
                 let share = Share {
                     until,
                     both_within: f64::INFINITY,
+                    refined: refinement.refines(),
                     patterns: &patterns,
                     evidence: None,
                     decide: false,

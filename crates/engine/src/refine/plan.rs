@@ -25,6 +25,8 @@ pub struct Prediction {
     pub ideal_gap: f64,
     /// Time of mesher and both programs \[s\].
     pub seconds: f64,
+    /// A larger mesh is to follow within the limits.
+    pub first_of_two: bool,
 }
 
 /// A pass that gave a bracket.
@@ -88,6 +90,11 @@ const LADDER: f64 = 1.12;
 /// contributions of the coarser mesh are no reliable guide.
 const GROWTH: f64 = 4.0;
 
+/// Growth from the first to the second of two meshes, where the limits allow one that a single step
+/// of [`GROWTH`] does not reach. The first is the smaller, the more the last one may be: a joint
+/// that takes ten minutes spent a third of them on a mesh that the last one exceeded by a third.
+const SECOND_GROWTH: f64 = 3.0;
+
 /// A pass is not worth its time where its expected gap exceeds this fraction of the best gap.
 const GAIN: f64 = 0.9;
 
@@ -106,12 +113,12 @@ pub const LOSS: f64 = 1.15;
 const LOSSES: [f64; 2] = [0.65, 2.0];
 
 /// Initial estimate of the exponent of the time of a pass in its number of tets.
-const TIME_EXPONENT: f64 = 1.35;
+const TIME_EXPONENT: f64 = 1.5;
 
 /// Range of that exponent as learned from two passes. Small meshes suggest less than large ones
 /// take: from 27 to 38 thousand tets to 80 to 108 thousand the time of an iteration grew with
 /// exponents of 1.4 to 1.9, and a mesh that does not end in time costs minutes for nothing.
-const TIME_EXPONENTS: [f64; 2] = [1.7, 2.0];
+const TIME_EXPONENTS: [f64; 2] = [1.55, 2.0];
 
 /// Exponent of the memory of a pass in its number of tets.
 const MEMORY_EXPONENT: f64 = 1.33;
@@ -179,7 +186,20 @@ impl<'a> Experience<'a> {
     fn prediction(&self, curve: &Curve, tets: f64, from: f64) -> Prediction {
         let ideal_gap = self.last.gap * curve.gap_at(tets);
         let gap = ideal_gap * (self.loss * growth(from, tets).max(1.0)).exp();
-        Prediction { tets, gap, ideal_gap, seconds: self.seconds(tets) }
+        Prediction { tets, gap, ideal_gap, seconds: self.seconds(tets), first_of_two: false }
+    }
+
+    /// Tets of the second mesh where the target is out of reach, and whether a larger one is to
+    /// follow. `most`: tets of the largest mesh within the limits; `seconds`: time for both.
+    fn first_step(&self, most: f64, seconds: f64) -> (f64, bool) {
+        let present = self.last.tets as f64;
+        let both = 1.0 + SECOND_GROWTH.powf(-self.time_exponent);
+        let end = most.min(self.tets_in(seconds / both));
+        if end > GROWTH * present {
+            (GROWTH.min(end / (SECOND_GROWTH * present)) * present, true)
+        } else {
+            (most.min(GROWTH * present), false)
+        }
     }
 }
 
@@ -242,15 +262,17 @@ pub fn next(
             }
         }
     }
-    let tets = match best {
-        Some((_, tets)) => tets,
+    let (tets, first_of_two) = match best {
+        Some((_, tets)) => (tets, reaches(present) != Some(tets)),
         // target out of reach: as far as the limits and a reliable design allow
-        None if passes_left == 1 => most,
-        None => most.min(GROWTH * present),
+        None if passes_left == 1 => (most, false),
+        None if steps.len() == 1 => experience.first_step(most, CAUTION * budget.seconds),
+        None => (most.min(GROWTH * present), false),
     };
-    let prediction = experience.prediction(&curve, tets, present);
+    let prediction = Prediction { first_of_two, ..experience.prediction(&curve, tets, present) };
     let largest = steps.iter().map(|s| s.tets).max().unwrap_or(0) as f64;
-    if best.is_none() && (tets < LARGER * largest || prediction.gap > GAIN * best_gap) {
+    let small = tets < LARGER * largest || prediction.gap > GAIN * best_gap;
+    if best.is_none() && !first_of_two && small {
         return (Next::Stop(cap.1), None);
     }
     (Next::Refine(prediction), Some(curve))
@@ -268,7 +290,7 @@ mod tests {
         Step {
             tets,
             gap,
-            seconds: 1e-3 * (tets as f64).powf(1.3),
+            seconds: 1e-3 * (tets as f64).powf(TIME_EXPONENT),
             bytes: 100_000 * tets as u64,
             predicted: None,
         }
@@ -299,7 +321,7 @@ mod tests {
             panic!("a pass")
         };
         assert!(p.gap <= 0.02 && p.tets > 1681.0 && p.tets < 2100.0, "{p:?}");
-        assert!((p.seconds / (1.0e-3 * p.tets.powf(1.3)) - 1.0).abs() < 0.1, "{p:?}");
+        assert!((p.seconds / (1.0e-3 * p.tets.powf(TIME_EXPONENT)) - 1.0).abs() < 0.1, "{p:?}");
         assert_eq!(decide(&[step(1000, 0.019)], &LIMITS, &ENDLESS), Next::Stop(Stop::Target));
     }
 
@@ -361,6 +383,31 @@ mod tests {
         );
     }
 
+    /// Where the time allows one mesh that is more than four times as large, a small mesh comes
+    /// first and the large one after it, not a mesh of four times the size.
+    #[test]
+    fn a_small_mesh_comes_before_the_last() {
+        let far = Limits { target_gap: 1e-5, ..LIMITS };
+        let with = |steps: &[Step], times: f64| {
+            let budget = Budget { seconds: times * steps[0].seconds, bytes: None };
+            let Next::Refine(p) = decide(steps, &far, &budget) else { panic!("a pass") };
+            p
+        };
+        let first = step(1000, 0.2);
+        let direct = with(&[first], 6.0);
+        assert!(!direct.first_of_two && direct.tets > 3000.0, "{direct:?}");
+        let small = with(&[first], 12.0);
+        assert!(small.first_of_two && small.tets < 2000.0, "{small:?}");
+        let second = Step { predicted: Some(small), ..step(small.tets as usize, 0.16) };
+        let left = 12.0 - small.seconds / first.seconds;
+        let last = with(&[first, second], left);
+        assert!(!last.first_of_two && last.tets > 4.0 * 1000.0, "{last:?}");
+        assert!(last.seconds <= left * first.seconds, "{last:?}");
+        // without end of time, the largest reliable step
+        let Next::Refine(far) = decide(&[first], &far, &ENDLESS) else { panic!("a pass") };
+        assert!(far.first_of_two && far.tets == GROWTH * 1000.0, "{far:?}");
+    }
+
     /// Where the target is out of reach, a design of the same size is not worth its time, however
     /// much better it promises to be.
     #[test]
@@ -389,7 +436,13 @@ mod tests {
     /// A mesher that makes more tets than requested gets a smaller request.
     #[test]
     fn requests_learn_from_the_mesher() {
-        let predicted = Prediction { tets: 2000.0, gap: 0.02, ideal_gap: 0.018, seconds: 1.0 };
+        let predicted = Prediction {
+            tets: 2000.0,
+            gap: 0.02,
+            ideal_gap: 0.018,
+            seconds: 1.0,
+            first_of_two: false,
+        };
         let second = Step { predicted: Some(predicted), ..step(2400, 0.02) };
         assert_eq!(order(&[step(1000, 0.04)], 3000.0), 3000.0);
         assert!((order(&[step(1000, 0.04), second], 3000.0) - 3000.0 / 1.2f64.sqrt()).abs() < 1e-9);
@@ -399,7 +452,13 @@ mod tests {
     /// mesh does not grow.
     #[test]
     fn predictions_learn_from_misses() {
-        let predicted = Prediction { tets: 2000.0, gap: 0.02, ideal_gap: 0.018, seconds: 1.0 };
+        let predicted = Prediction {
+            tets: 2000.0,
+            gap: 0.02,
+            ideal_gap: 0.018,
+            seconds: 1.0,
+            first_of_two: false,
+        };
         let of = |gap| {
             let second = Step { predicted: Some(predicted), ..step(2000, gap) };
             Experience::of(&[step(1000, 0.04), second], LOSS).map(|e| e.loss).unwrap_or_default()

@@ -72,8 +72,13 @@ mod tests {
     use crate::refine::plan::Prediction;
 
     fn step(gap: f64, promised: Option<f64>) -> Step {
-        let predicted =
-            promised.map(|p| Prediction { tets: 2.0, gap: p, ideal_gap: p, seconds: 1.0 });
+        let predicted = promised.map(|p| Prediction {
+            tets: 2.0,
+            gap: p,
+            ideal_gap: p,
+            seconds: 1.0,
+            first_of_two: false,
+        });
         Step { tets: 1, gap, seconds: 1.0, bytes: 0, predicted }
     }
 

@@ -102,6 +102,14 @@ impl StopRules {
         Self { limit_gap, ..Self::default() }
     }
 
+    /// For a pass of limit analysis whose mesh is to be refined: stresses as unbalanced as the gap.
+    ///
+    /// First meshes of two bolted joints: 18 iterations for 24 and 17 for 19; the lower bound is
+    /// lower by 5e-4 and 1e-4. 3 and 10 save one and two more, at 2e-3.
+    pub fn to_be_refined() -> Self {
+        Self { limit_residual: 1.0, ..Self::default() }
+    }
+
     /// For the stresses of limit analysis.
     pub fn for_resistance(&self) -> Self {
         let residual = self.residual.max(self.limit_residual * self.limit_gap);
@@ -138,6 +146,11 @@ impl StopRules {
     /// program has a load factor.
     pub fn nearly(&self, limit: bool) -> f64 {
         if limit { self.limit_nearly } else { self.nearly }
+    }
+
+    /// The same where the time ends or the iteration crawls.
+    pub fn cut_off(&self, limit: bool) -> f64 {
+        if limit { self.limit_cut_off } else { 0.0 }
     }
 }
 

@@ -71,7 +71,7 @@ pub fn iterate(
     // the best iterate is a solution when it is nearly as good as the tolerances ask; the fields
     // are certified in any case
     let nearly = rules.nearly(problem.is_limit());
-    let cut_off = if problem.is_limit() { rules.limit_cut_off } else { 0.0 };
+    let cut_off = rules.cut_off(problem.is_limit());
     let stop = |status, best: Point, merit: f64, iteration| {
         let enough = if status == SolveStatus::TimeLimit { cut_off } else { nearly };
         let status = if merit <= enough { SolveStatus::AlmostOptimal } else { status };
