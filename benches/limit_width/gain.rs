@@ -1,13 +1,13 @@
 //! What finer elements in one zone alone give: the gain of a bound per 1 000 tets.
 //!
 //! Mmg makes each mesh from the metric of the present one, with lengths divided by a number in the
-//! zone. Zones: the rest of each body, the inside of each contact and its edge.
+//! zone. Zones: everything, the rest of each body, the inside of each contact and its edge.
 
 use bracket::analysis::event::Progress;
 use bracket::analysis::limit;
 use bracket::analysis::pass::PassOptions;
 use bracket::math::mandel::Mandel;
-use bracket::mesh::mmg::Remesher;
+use bracket::mesh::mmg::{MENDED, Remesher};
 use bracket::mesh::polyhedron::Polyhedron;
 use bracket::mesh::{TetMesh, mend, msh};
 use bracket::model::AnalysisModel;
@@ -18,9 +18,6 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
-
-/// Dihedral angle below which a tet is mended \[degrees\].
-const MENDED: f64 = 1.5;
 
 /// Prints the table for the model of a file, whose bodies share nodes.
 pub fn table(path: &Path, bounds: Bounds, finer: f64) {
@@ -83,14 +80,13 @@ pub fn table(path: &Path, bounds: Bounds, finer: f64) {
 }
 
 /// The nodes of each zone by its name.
-fn zones(model: &AnalysisModel, shared: &TetMesh) -> BTreeMap<String, Vec<bool>> {
+fn zones(model: &AnalysisModel, shared: &TetMesh) -> Vec<(String, Vec<bool>)> {
     let mut zones: BTreeMap<String, Vec<bool>> = BTreeMap::new();
     let none = vec![false; shared.nodes.len()];
     let key = |x: &[f64; 3]| x.map(f64::to_bits);
     let place: BTreeMap<[u64; 3], usize> =
         shared.nodes.iter().enumerate().map(|(n, x)| (key(x), n)).collect();
     let at = |n: u32| place[&key(&model.mesh.nodes[n as usize])];
-    zones.insert("  all".into(), vec![true; shared.nodes.len()]);
     let mut taken = none.clone();
     let contacts = model.interfaces.iter().map(|i| (&i.name, &i.faces));
     for (name, faces) in contacts {
@@ -115,5 +111,6 @@ fn zones(model: &AnalysisModel, shared: &TetMesh) -> BTreeMap<String, Vec<bool>>
         let zone = zones.entry(name).or_insert_with(|| none.clone());
         tet.iter().map(|n| *n as usize).filter(|n| !taken[*n]).for_each(|n| zone[n] = true);
     }
-    zones
+    let all = ("all".into(), vec![true; shared.nodes.len()]);
+    [all].into_iter().chain(zones).collect()
 }

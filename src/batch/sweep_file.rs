@@ -10,7 +10,10 @@ use bracket_base::diag::{Diagnostic, Diagnostics};
 use bracket_base::text_file;
 use bracket_base::yaml::{self, Parsed, PlaceIndex};
 use bracket_joint::catalog::Catalog;
-use serde_json::Value;
+use bracket_joint::spec::load_table::LoadTable;
+use bracket_joint::spec::table_loads::listed;
+use serde::Deserialize;
+use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
 /// A sweep that was read and whose values are sound one by one.
@@ -51,6 +54,7 @@ impl SweepFile {
         let sweep = yaml::parse::<Sweep>(&text, path)?;
         let here = path.parent().unwrap_or(Path::new(""));
         let (base, base_index, file, folder) = base(&sweep, here)?;
+        let base = with_loads(base, &base_index, &folder)?;
         let of_spec = base.get("catalog").and_then(Value::as_str).map(|dir| folder.join(dir));
         let catalog_folder = catalog.map(Path::to_path_buf).or(of_spec);
         let catalog = open_catalog(catalog_folder.as_deref())?;
@@ -204,6 +208,19 @@ fn tables_have_cases(tables: &[CapacityTable], dimensions: &[Dimension]) -> Resu
         }
     }
     Ok(())
+}
+
+/// The base spec with the load cases of the table that it names, if any.
+fn with_loads(mut base: Value, index: &PlaceIndex, folder: &Path) -> Result<Value, Diagnostics> {
+    let Some(loads @ Value::Object(_)) = base.get_mut("loads") else { return Ok(base) };
+    let table = LoadTable::deserialize(&*loads).map_err(|e| {
+        let help = "`bracket check` of the base spec says more";
+        let d = Diagnostic::input("sweep/base", format!("the loads of the base spec: {e}"));
+        Diagnostic { place: index.place("loads"), ..d.help(help) }
+    })?;
+    let listed = listed(&table, &folder.join(&table.table), |path| index.place(path))?;
+    *loads = listed.into_iter().map(|(_, load)| json!(load)).collect();
+    Ok(base)
 }
 
 /// The base spec: its value, its places, its file and its folder.

@@ -1,13 +1,12 @@
-//! Reads the table of a sweep: CSV, one joint a row.
+//! Reads the table of a sweep: one joint a row, in a text or in the only sheet of a workbook.
 //!
-//! The separator is the comma, the semicolon or the tab, whichever the header has; spreadsheets of
-//! many countries write semicolons. Where the comma separates no cells it may stand before
-//! decimals. A line that starts with `#` is a comment.
+//! Where the comma separates no cells it may stand before decimals. A line of a text that starts
+//! with `#` is a comment.
 
 use super::column::{self, Column, Decimals};
 use super::dimension::{Dimension, Setting};
 use bracket_base::diag::{Diagnostic, Diagnostics, Place};
-use bracket_base::text_file;
+use bracket_base::grid::{self, Grid, Row};
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -19,7 +18,7 @@ const MOST_COLUMNS: usize = 1000;
 
 /// Reads a table.
 pub fn read(file: &Path) -> Result<Dimension, Diagnostics> {
-    let text = text_file::read(file, |e| {
+    let grid = grid::read(file, None, &[], |e| {
         Diagnostic::input(
             "sweep/table",
             format!("the table `{}` cannot be read: {e}", file.display()),
@@ -27,7 +26,7 @@ pub fn read(file: &Path) -> Result<Dimension, Diagnostics> {
         .file(file)
         .help("`table` is a path relative to the sweep file")
     })?;
-    parse(&text, file)
+    of_grid(&grid, file)
 }
 
 /// The place of a cell.
@@ -36,84 +35,58 @@ fn place(file: &Path, line: usize, header: Option<&str>) -> Place {
     Place { file: Some(file.into()), line: Some(line), column: None, path }
 }
 
-/// The line of a record. The reader reports where it began to read, which may be a comment or an
-/// empty line before the record.
-fn line_of(text: &str, start: &csv::Position) -> usize {
-    let rest = text.get(start.byte() as usize..).unwrap_or("");
-    let skipped = rest.lines().take_while(|l| l.trim().is_empty() || l.starts_with('#'));
-    start.line() as usize + skipped.count()
-}
-
-fn parse(text: &str, file: &Path) -> Result<Dimension, Diagnostics> {
+fn of_grid(grid: &Grid, file: &Path) -> Result<Dimension, Diagnostics> {
     let fault = |line: usize, header: Option<&str>, message: String, help: &str| Diagnostic {
         place: place(file, line, header),
         ..Diagnostic::input("sweep/table", message).help(help)
     };
-    let first = text.lines().find(|l| !l.trim().is_empty() && !l.starts_with('#'));
-    let Some(first) = first else {
+    let Some((Row { line: first, cells: headers }, rows)) = grid.rows.split_first() else {
         let help = "the first row holds paths of the spec, each further row a joint";
         return Err(fault(1, None, "the table is empty".into(), help).into());
     };
-    let separator = [b'\t', b';', b','].into_iter().find(|s| first.as_bytes().contains(s));
-    let decimals = match separator {
-        Some(b'\t' | b';') => Decimals::PointOrComma,
+    let decimals = match grid.separator {
+        Some('\t' | ';') => Decimals::PointOrComma,
         _ => Decimals::Point,
     };
-    let mut reader = csv::ReaderBuilder::new()
-        .comment(Some(b'#'))
-        .delimiter(separator.unwrap_or(b','))
-        .trim(csv::Trim::All)
-        .from_reader(text.as_bytes());
-    let broken = |error: csv::Error| {
-        let line = error.position().map_or(1, |p| p.line() as usize);
-        let (message, help) = match error.kind() {
-            csv::ErrorKind::UnequalLengths { expected_len, len, .. } => (
-                format!("the row has {len} cells, the header {expected_len}"),
-                "a decimal comma or a comma in a name splits a cell: write points, and put names \
-                 into quotes",
-            ),
-            _ => (error.to_string(), "save the table as CSV again"),
-        };
-        fault(line, None, message, help)
-    };
-    let headers = reader.headers().map_err(|e| Diagnostics::from(broken(e)))?.clone();
     if headers.len() > MOST_COLUMNS {
         let message = format!("{} columns, at most {MOST_COLUMNS} are read", headers.len());
         let help = "each row is a joint, each column a value that varies";
-        return Err(fault(1, None, message, help).into());
+        return Err(fault(*first, None, message, help).into());
     }
-    let columns = columns(&headers).map_err(|faults| {
+    let columns = columns(headers).map_err(|faults| {
         let help = "a header is `name`, `expect`, or a path of the spec, with the unit of its \
                     numbers behind it: `loads.ULS1.My [kN m]`";
-        faults.map(|(header, message)| fault(1, Some(&header), message, help))
+        faults.map(|(header, message)| fault(*first, Some(&header), message, help))
     })?;
     let mut steps = Vec::new();
     let mut faults = Vec::new();
     let mut named: BTreeMap<String, usize> = BTreeMap::new();
     let mut signs: [Option<(usize, String)>; 2] = [None, None];
-    for record in reader.records() {
-        let record = record.map_err(|e| Diagnostics::from(broken(e)))?;
-        // spreadsheets leave empty rows behind
-        if record.iter().all(str::is_empty) {
-            continue;
+    for Row { line, cells } in rows {
+        let line = *line;
+        if cells.len() != headers.len() {
+            let message =
+                format!("the row has {} cells, the header {}", cells.len(), headers.len());
+            let help = "a decimal comma or a comma in a name splits a cell: write points, and put \
+                        names into quotes";
+            return Err(fault(line, None, message, help).into());
         }
-        let line = record.position().map_or(0, |p| line_of(text, p));
         let mut step = Setting {
             name: None,
             values: Vec::new(),
             expect: None,
             place: place(file, line, None),
         };
-        for ((header, column), cell) in headers.iter().zip(&columns).zip(&record) {
+        for ((header, column), cell) in headers.iter().zip(&columns).zip(cells) {
             let read = match column {
                 Column::Name => {
-                    step.name = Some(cell.to_string()).filter(|n| !n.is_empty());
+                    step.name = Some(cell.clone()).filter(|n| !n.is_empty());
                     Ok(())
                 }
                 Column::Expect => column::verdict(cell).map(|v| step.expect = v),
                 Column::Path(_, unit) => {
                     if let Some(sign) = column::decimal_sign(cell) {
-                        signs[usize::from(sign == ',')].get_or_insert((line, cell.into()));
+                        signs[usize::from(sign == ',')].get_or_insert((line, cell.clone()));
                     }
                     column::value(cell, unit.as_deref(), decimals).map(|v| step.values.push(v))
                 }
@@ -149,7 +122,7 @@ fn parse(text: &str, file: &Path) -> Result<Dimension, Diagnostics> {
     Diagnostics::refuse(faults)?;
     if steps.is_empty() {
         let help = "each row below the header is a joint";
-        return Err(fault(1, None, "the table has a header but no rows".into(), help).into());
+        return Err(fault(*first, None, "the table has a header but no rows".into(), help).into());
     }
     let paths = columns.into_iter().filter_map(|c| match c {
         Column::Path(path, _) => Some(path),
@@ -161,23 +134,20 @@ fn parse(text: &str, file: &Path) -> Result<Dimension, Diagnostics> {
 
 /// The columns of a header, or the faulty headers with the reason.
 fn columns(
-    headers: &csv::StringRecord,
+    headers: &[String],
 ) -> Result<Vec<Column>, bracket_base::diag::AtLeastOne<(String, String)>> {
     let mut columns: Vec<Column> = Vec::new();
     let mut faults = Vec::new();
     for header in headers {
         match Column::parse(header) {
-            Err(e) => faults.push((header.to_string(), e)),
+            Err(e) => faults.push((header.clone(), e)),
             Ok(c) => {
                 let same = |o: &Column| match (o, &c) {
                     (Column::Path(a, _), Column::Path(b, _)) => a == b,
                     (a, b) => a == b,
                 };
                 if columns.iter().any(same) {
-                    faults.push((
-                        header.to_string(),
-                        format!("the column `{header}` is there twice"),
-                    ));
+                    faults.push((header.clone(), format!("the column `{header}` is there twice")));
                 }
                 columns.push(c);
             }
@@ -193,7 +163,9 @@ mod tests {
     use serde_json::json;
 
     fn read(text: &str) -> Result<Dimension, Diagnostics> {
-        parse(text, Path::new("joints.csv"))
+        let file = Path::new("joints.csv");
+        let grid = grid::of_text(text).map_err(|d| Diagnostics::from(d.file(file)))?;
+        of_grid(&grid, file)
     }
 
     #[test]

@@ -161,7 +161,7 @@ fn example(template: &Template, name: &str) -> ConnectionSpec {
         parameters: Default::default(),
         welds: Default::default(),
         friction: Default::default(),
-        loads: template.starter_load.iter().cloned().collect(),
+        loads: template.starter_load.iter().cloned().collect::<Vec<_>>().into(),
         polygon: None,
         analysis: AnalysisSpec::default(),
     };
@@ -341,7 +341,7 @@ pub fn starter(
         );
     }
     out.push_str("loads:\n");
-    for l in &spec.loads {
+    for l in spec.loads.iter() {
         let _ = writeln!(out, "  - {{{}}}", load_words(l));
     }
     let a = &spec.analysis;

@@ -51,7 +51,10 @@ pub fn run(args: &WatchArgs, common: &Common) -> CommandResult {
     }
 }
 
-/// State of the files that a check may read: the YAML and CSV files beside the spec, and the
+/// Endings of files that a check may read.
+const INPUTS: [&str; 8] = ["yaml", "yml", "csv", "txt", "tsv", "xlsx", "xls", "ods"];
+
+/// State of the files that a check may read: those with the endings above beside the spec, and the
 /// catalogue folder given on the command line.
 fn stamps(args: &CheckArgs) -> Stamps {
     let beside = args.spec.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
@@ -59,9 +62,8 @@ fn stamps(args: &CheckArgs) -> Stamps {
     for folder in [Some(beside), args.catalog.folder()].into_iter().flatten() {
         let Ok(entries) = std::fs::read_dir(folder) else { continue };
         for path in entries.filter_map(|e| Some(e.ok()?.path())) {
-            let input = path
-                .extension()
-                .is_some_and(|e| ["yaml", "yml", "csv"].iter().any(|x| e.eq_ignore_ascii_case(x)));
+            let input =
+                path.extension().is_some_and(|e| INPUTS.iter().any(|x| e.eq_ignore_ascii_case(x)));
             if let Some(meta) =
                 path.metadata().ok().filter(|m| (input || path == args.spec) && m.is_file())
             {

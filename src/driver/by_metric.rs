@@ -5,7 +5,7 @@ use crate::driver::meshing::quality_table;
 use crate::driver::remesh::{Made, Places, Remesh};
 use bracket_base::diag::{Diagnostic, Diagnostics};
 use bracket_base::math::mandel::Mandel;
-use bracket_engine::mesh::mmg::Remesher;
+use bracket_engine::mesh::mmg::{MENDED, Remesher};
 use bracket_engine::mesh::nearest::Nearest;
 use bracket_engine::mesh::polyhedron::Polyhedron;
 use bracket_engine::mesh::size_field::Edges;
@@ -45,9 +45,6 @@ const FAR: f64 = 0.25;
 
 /// Runs of Mmg for one mesh.
 const RUNS: usize = 3;
-
-/// Dihedral angle below which a tet is mended \[degrees\].
-const MENDED: f64 = 1.5;
 
 /// Largest length of an element over that on the first mesh, in any direction, away from contacts,
 /// loads and supports, where no element is longer.

@@ -29,6 +29,7 @@ pub fn spec_hash(
     if !own.is_empty() {
         pieces.push(("catalogue", own.as_bytes()));
     }
+    pieces.extend(input.load_table.iter().map(|t| ("loads", t.as_bytes())));
     input_hash(&pieces)
 }
 
@@ -47,7 +48,10 @@ pub fn checked_hash(input: &SpecFile) -> Result<String, Diagnostics> {
         without_files(&mut seen);
     }
     let seen = seen.to_string();
-    Ok(input_hash(&[("spec", input.text.as_bytes()), ("joint", seen.as_bytes())]))
+    let mut pieces: Vec<(&str, &[u8])> =
+        vec![("spec", input.text.as_bytes()), ("joint", seen.as_bytes())];
+    pieces.extend(input.load_table.iter().map(|t| ("loads", t.as_bytes())));
+    Ok(input_hash(&pieces))
 }
 
 /// Hash of a model file and its mesh.

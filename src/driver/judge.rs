@@ -10,6 +10,7 @@ use bracket_codes::{self as codes, Analysed, HandChecks, Judgement};
 use bracket_engine::model::AnalysisKind;
 use bracket_report::markdown::report_data::GivenActions;
 use bracket_report::result::demand::Demand;
+use bracket_report::result::judged_case::JudgedCase;
 use bracket_report::result::result_file::{CaseResult, HistoryRow, Quantity, ResultFile};
 use bracket_report::result::stiffness::joint_stiffness;
 
@@ -108,6 +109,14 @@ pub fn judged(
                 .filter(|c| c.name == a.case)
                 .filter_map(|c| c.demand.as_mut());
             demands.for_each(|d| d.judged(j));
+        }
+        if each.len() > 1 {
+            let pairs = analysed.iter().zip(each);
+            let case = |(a, judgement): (&Analysed, Judgement)| JudgedCase {
+                case: a.case.clone(),
+                judgement,
+            };
+            result.load_cases = pairs.map(case).collect();
         }
         result.verdict = judgement.verdict;
         result.judgement = Some(judgement);

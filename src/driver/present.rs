@@ -19,6 +19,7 @@ use bracket_report::page::{self, PAGE_FILE};
 use bracket_report::pdf;
 use bracket_report::printed;
 use bracket_report::result::folder::ResultFolder;
+use bracket_report::result::judged_case::{CASES_FILE, cases_csv};
 use bracket_report::result::result_file::ResultFile;
 use bracket_report::sheet::build::sheet;
 use bracket_report::sheet::head::Paper;
@@ -119,6 +120,11 @@ fn write(
         words: Collected::new(),
     };
     folder.write("result.json", json.as_bytes())?;
+    if !data.result.load_cases.is_empty() {
+        let given = data.input.demands.iter().map(|d| (d.case.as_str(), d.actions.as_slice()));
+        let table = cases_csv(&data.result.load_cases, &given.collect::<Vec<_>>());
+        folder.write(CASES_FILE, table.as_bytes())?;
+    }
     folder.write(REPORT_DATA_FILE, data.to_json()?.as_bytes())?;
     let words = data.words();
     // page and PDF translate a drawing when they are made; report.md links to a file

@@ -96,6 +96,7 @@ pub fn own_rows(input: &SpecFile) -> String {
 fn as_read(input: &SpecFile) -> ConnectionSpec {
     let mut spec = input.spec.value.clone();
     spec.loads.retain(|l| !l.of_polygon);
+    spec.loads = spec.loads.as_given();
     spec
 }
 

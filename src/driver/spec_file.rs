@@ -11,6 +11,7 @@ use bracket_joint::assembly::{Joint, LoadedTemplate};
 use bracket_joint::catalog::{Catalog, CatalogError};
 use bracket_joint::spec::connection::ConnectionSpec;
 use bracket_joint::spec::polygon::PolygonFault;
+use bracket_joint::spec::table_loads::{expand, written};
 use bracket_report::result::folder::ResultFolder;
 use std::path::Path;
 
@@ -26,6 +27,8 @@ pub struct SpecFile {
     pub catalog: Catalog,
     /// The texts of the user's own templates, in the order in which they extend each other.
     pub templates: Vec<String>,
+    /// The load cases of the table that the spec names, in Bracket's own form.
+    pub load_table: Option<String>,
     /// Whether the run makes what a verdict by analysis needs, and no more.
     pub decide: bool,
 }
@@ -35,6 +38,8 @@ pub struct SpecFile {
 const STORED: &str = "input";
 /// Folder inside it with the tables.
 const STORED_TABLES: &str = "catalog";
+/// File inside it with the load cases of a table.
+const STORED_LOADS: &str = "loads.csv";
 
 impl SpecFile {
     /// The kinds of analysis to run.
@@ -64,6 +69,9 @@ impl SpecFile {
         for (name, text) in self.catalog.own_tables() {
             folder.write(&format!("{STORED}/{STORED_TABLES}/{name}"), text.as_bytes())?;
         }
+        if let Some(loads) = &self.load_table {
+            folder.write(&format!("{STORED}/{STORED_LOADS}"), loads.as_bytes())?;
+        }
         Ok(())
     }
 }
@@ -87,14 +95,15 @@ pub fn text(path: &Path) -> Result<String, Diagnostics> {
 /// The spec with this text. Its templates and tables are looked up beside `path`.
 pub fn parse(text: &str, path: &Path, catalog_dir: Option<&Path>) -> Result<SpecFile, Diagnostics> {
     let base = path.parent().unwrap_or(Path::new(""));
-    with_templates(text, path, catalog_dir, Templates::Beside(base))
+    with_templates(text, path, catalog_dir, Templates::Beside(base), None)
 }
 
 /// The spec of a result folder, with the templates and tables that [`SpecFile::store`] wrote there.
 pub fn stored(text: &str, name: &str, folder: &Path) -> Result<SpecFile, Diagnostics> {
     let (own, path) = (folder.join(STORED), folder.join(name));
     let tables = Some(own.join(STORED_TABLES)).filter(|t| t.is_dir());
-    with_templates(text, &path, tables.as_deref(), Templates::Stored(&own))
+    let loads = own.join(STORED_LOADS);
+    with_templates(text, &path, tables.as_deref(), Templates::Stored(&own), Some(&loads))
 }
 
 fn with_templates(
@@ -102,6 +111,7 @@ fn with_templates(
     path: &Path,
     catalog_dir: Option<&Path>,
     templates: Templates<'_>,
+    stored_loads: Option<&Path>,
 ) -> Result<SpecFile, Diagnostics> {
     let mut spec = yaml::parse::<ConnectionSpec>(text, path).map_err(|faults| {
         if yaml::top_level(text, &["mesh", "bodies"]) {
@@ -117,7 +127,10 @@ fn with_templates(
         };
         Diagnostics::from(text_file::not_ours(what, path))
     })?;
+    let base = path.parent().unwrap_or(Path::new(""));
+    let of_table = expand(&mut spec, base, stored_loads)?;
     let value = &mut spec.value;
+    let load_table = of_table.then(|| written(&value.loads));
     if let Some(polygon) = &value.polygon {
         let directions = polygon.loads(&value.loads).map_err(|faults| {
             let reported = |f: PolygonFault| {
@@ -129,13 +142,12 @@ fn with_templates(
         })?;
         value.loads.extend(directions);
     }
-    let base = path.parent().unwrap_or(Path::new(""));
     let catalog = open_catalog(&spec, base, catalog_dir)?;
     let template = LoadedTemplate::read(&spec, templates)?;
     let joint = design_code::build_from(&spec, &template, &catalog)?;
     let templates = template.own_texts().to_vec();
     let decide = spec.value.analysis.decide.unwrap_or_else(|| lacks_method(&spec.value, &joint));
-    Ok(SpecFile { text: text.into(), spec, joint, catalog, templates, decide })
+    Ok(SpecFile { text: text.into(), spec, joint, catalog, templates, load_table, decide })
 }
 
 /// Whether a limit analysis is asked for of loads for which the code has no method.

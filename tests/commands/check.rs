@@ -3,6 +3,7 @@
 
 #[cfg(feature = "pdf")]
 mod hostile_texts;
+mod load_tables;
 mod once;
 mod plate_dxf;
 #[cfg(feature = "pdf")]

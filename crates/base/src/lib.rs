@@ -6,6 +6,7 @@
 
 pub mod diag;
 pub mod diag_render;
+pub mod grid;
 pub mod later;
 pub mod math;
 pub mod text_file;

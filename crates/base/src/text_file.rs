@@ -23,6 +23,56 @@ pub fn read(
     path: &Path,
     unread: impl FnOnce(std::io::Error) -> Diagnostic,
 ) -> Result<String, Box<Diagnostic>> {
+    let bytes = whole(path, unread)?;
+    if let Some(what) = foreign::of_bytes(&bytes) {
+        let table = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("csv"));
+        return Err(if table { no_table(what, path) } else { not_ours(what, path) }.into());
+    }
+    decode(bytes).map_err(|fault| undecoded(fault, path).into())
+}
+
+/// A table as a file holds it.
+#[derive(Debug)]
+pub enum Table {
+    /// A text.
+    Text(String),
+    /// A workbook of a spreadsheet.
+    Workbook(Vec<u8>),
+}
+
+/// Reads the file of a table; `unread`: see [`read`].
+///
+/// A text that is not UTF-8 is read in the code page of Windows (1252), in which Excel saves CSV: a
+/// table is read for its numbers, and its names have to match only each other.
+pub fn read_table(
+    path: &Path,
+    unread: impl FnOnce(std::io::Error) -> Diagnostic,
+) -> Result<Table, Box<Diagnostic>> {
+    let bytes = whole(path, unread)?;
+    if foreign::is_workbook(&bytes) {
+        return Ok(Table::Workbook(bytes));
+    }
+    if let Some(what) = foreign::of_bytes(&bytes) {
+        return Err(no_table(what, path).into());
+    }
+    let marked = [&b"\xff\xfe"[..], b"\xfe\xff", b"\xef\xbb\xbf"];
+    let of_windows = !bytes.contains(&0) && !marked.iter().any(|m| bytes.starts_with(m));
+    match String::from_utf8(bytes) {
+        Err(e) if of_windows => {
+            let (text, _) = encoding_rs::WINDOWS_1252.decode_without_bom_handling(e.as_bytes());
+            Ok(Table::Text(text.into_owned()))
+        }
+        read => decode(read.map_or_else(|e| e.into_bytes(), String::into_bytes))
+            .map(Table::Text)
+            .map_err(|fault| undecoded(fault, path).into()),
+    }
+}
+
+/// The bytes of a file, if it is not too large.
+fn whole(
+    path: &Path,
+    unread: impl FnOnce(std::io::Error) -> Diagnostic,
+) -> Result<Vec<u8>, Box<Diagnostic>> {
     let mut bytes = Vec::new();
     // a device such as /dev/zero has no end
     let read = File::open(path).and_then(|f| f.take(LARGEST + 1).read_to_end(&mut bytes));
@@ -32,18 +82,15 @@ pub fn read(
         let help = "specs have some kB; divide a table, or name the right file";
         return Err(Diagnostic::input("file/size", message).file(path).help(help).into());
     }
-    if let Some(what) = foreign::of_bytes(&bytes) {
-        let table = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("csv"));
-        return Err(if table { no_table(what, path) } else { not_ours(what, path) }.into());
+    Ok(bytes)
+}
+
+fn undecoded(fault: NotText, path: &Path) -> Diagnostic {
+    let d = Diagnostic::input("file/encoding", fault.problem).file(path).help(HELP);
+    match fault.at {
+        Some((line, column)) => d.at(line, column),
+        None => d,
     }
-    decode(bytes).map_err(|fault| {
-        let d = Diagnostic::input("file/encoding", fault.problem).file(path).help(HELP);
-        match fault.at {
-            Some((line, column)) => d.at(line, column),
-            None => d,
-        }
-        .into()
-    })
 }
 
 /// The fault of a file of another program in place of a spec, model or sweep.
@@ -54,7 +101,7 @@ pub fn not_ours(what: &str, path: &Path) -> Diagnostic {
 
 /// The fault of a file of another program in place of a table.
 fn no_table(what: &str, path: &Path) -> Diagnostic {
-    let help = "Bracket reads CSV: save the sheet as `CSV UTF-8`, comma separated";
+    let help = "Bracket reads CSV and workbooks (.xlsx, .ods): save the table as one of them";
     Diagnostic::input("file/kind", format!("this is {what}, not a table")).file(path).help(help)
 }
 
@@ -246,6 +293,30 @@ mod tests {
         );
         assert!(refused(b"\xff\xfea\0\0\0".to_vec()).problem.contains("a zero among"));
         assert!(refused(b"PK\x03\x04\x00\x00".to_vec()).problem.contains("or no text"));
+    }
+
+    /// Excel saves `CSV` in the code page of Windows, and specs are never read in it.
+    #[test]
+    fn a_table_in_the_code_page_of_windows() {
+        let dir = tempfile::tempdir().expect("a folder");
+        let path = dir.path().join("forces.csv");
+        let unread = |e: std::io::Error| Diagnostic::input("spec/read", e.to_string());
+        let text = |bytes: &[u8]| {
+            std::fs::write(&path, bytes).expect("written");
+            match read_table(&path, unread) {
+                Ok(Table::Text(text)) => text,
+                other => panic!("{other:?}"),
+            }
+        };
+        assert_eq!(text(b"St\xfctze \x96 A;1"), "Stütze – A;1");
+        assert_eq!(text("Stütze;1".as_bytes()), "Stütze;1");
+        assert_eq!(text(&marked(&[0xff, 0xfe], "ü\t1", u16::to_le_bytes)), "ü\t1");
+        for bytes in [&b"%PDF-1.7"[..], b"a\0b\0\xfc"] {
+            std::fs::write(&path, bytes).expect("written");
+            assert!(read_table(&path, unread).is_err());
+        }
+        std::fs::write(&path, b"PK\x03\x04....xl/workbook").expect("written");
+        assert!(matches!(read_table(&path, unread), Ok(Table::Workbook(_))));
     }
 
     #[test]

@@ -5,6 +5,7 @@
 
 pub mod assembly;
 pub mod catalog;
+pub mod forces;
 pub mod geometry;
 pub mod meshing;
 pub mod model_file;

@@ -1,9 +1,13 @@
 //! Files of other programs that people give as input by mistake.
 
+const EXCEL: &str = "an Excel file";
+const SPREADSHEET: &str = "a spreadsheet (ODS)";
+const OLD_OFFICE: &str = "a Word or Excel file of an old version";
+
 /// Beginnings of binary files, and what they are.
 const BINARY: [(&[u8], &str); 10] = [
     (b"%PDF", "a PDF file"),
-    (b"\xd0\xcf\x11\xe0", "a Word or Excel file of an old version"),
+    (b"\xd0\xcf\x11\xe0", OLD_OFFICE),
     (b"\x1f\x8b", "a compressed file (gzip)"),
     (b"7z\xbc\xaf", "a compressed file (7z)"),
     (b"Rar!", "a compressed file (rar)"),
@@ -14,16 +18,22 @@ const BINARY: [(&[u8], &str); 10] = [
     (b"\x7fELF", "a program"),
 ];
 
+/// Whether the bytes are a workbook of a spreadsheet, also of Excel before 2007.
+pub fn is_workbook(bytes: &[u8]) -> bool {
+    let what = of_bytes(bytes);
+    what.is_some_and(|w| [EXCEL, SPREADSHEET, OLD_OFFICE].contains(&w))
+}
+
 /// What a file of another program is, by its bytes; `None` if it may be a text of ours.
 pub fn of_bytes(bytes: &[u8]) -> Option<&'static str> {
     if bytes.starts_with(b"PK\x03\x04") {
         // the names of the members stand uncompressed between them
         let has = |name: &[u8]| bytes.windows(name.len()).any(|w| w == name);
         let office: [(&[u8], &str); 5] = [
-            (b"xl/workbook", "an Excel file"),
+            (b"xl/workbook", EXCEL),
             (b"word/document", "a Word file"),
             (b"ppt/presentation", "a PowerPoint file"),
-            (b"opendocument.spreadsheet", "a spreadsheet (ODS)"),
+            (b"opendocument.spreadsheet", SPREADSHEET),
             (b"opendocument.text", "a text document (ODT)"),
         ];
         let found = office.into_iter().find(|(name, _)| has(name));

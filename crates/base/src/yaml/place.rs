@@ -90,6 +90,12 @@ impl PlaceIndex {
         }
     }
 
+    /// Adds a path whose value stands in a line of another file.
+    pub fn add(&mut self, path: String, file: &Path, line: usize) {
+        self.elsewhere.insert(path.clone(), file.to_path_buf());
+        self.at.insert(path, (line, 1, 0));
+    }
+
     /// An index of the same file that knows only the place of the whole document.
     pub(super) fn root(&self) -> Self {
         let mut root = Self::new(&self.file);

@@ -33,6 +33,9 @@ pub struct Remesher {
 /// (`-nofem`): splitting them makes many times the wanted elements in thin walls.
 const OPTIONS: [&str; 6] = ["-nr", "-nofem", "-hgrad", "-1", "-v", "1"];
 
+/// Dihedral angle below which a tet of the meshes of Mmg is mended \[degrees\].
+pub const MENDED: f64 = 1.5;
+
 impl Remesher {
     /// Searches for Mmg (environment variable, project-local venv, PATH) and asks for its version.
     pub fn find() -> Result<Self, MesherError> {

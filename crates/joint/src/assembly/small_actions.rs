@@ -156,7 +156,7 @@ impl SmallActions {
                 });
             }
         }
-        for load in &spec.loads {
+        for load in spec.loads.iter() {
             let of_case = || spec.loads.iter().filter(|l| l.name == load.name);
             let known = out.idle.iter().any(|i| i.case == load.name);
             if known || of_case().any(|l| out.counts(l)) {

@@ -7,7 +7,7 @@
 use super::analysis::AnalysisSpec;
 use super::code::Code;
 use super::friction::FrictionSpec;
-use super::loads::LoadSpec;
+use super::load_table::Loads;
 use super::polygon::PolygonSpec;
 use super::welds::WeldSpec;
 use super::word::{word, word_or_none, word_or_none_schema, word_schema};
@@ -64,7 +64,7 @@ pub struct ConnectionSpec {
     pub friction: FrictionSpec,
     /// Loads.
     #[serde(default, deserialize_with = "null_is_default")]
-    pub loads: Vec<LoadSpec>,
+    pub loads: Loads,
     /// Capacity polygon of two actions at a member end.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub polygon: Option<PolygonSpec>,

@@ -66,7 +66,9 @@ pub struct LoadSpec {
 }
 
 /// Limit state that a load case belongs to.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(
+    Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema,
+)]
 pub enum LimitState {
     /// Ultimate limit state.
     #[default]
@@ -82,6 +84,19 @@ impl LimitState {
     /// True for the ultimate limit state.
     pub fn is_ultimate(&self) -> bool {
         *self == Self::Ultimate
+    }
+
+    /// Its word in a spec and in a table.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Ultimate => "ULS",
+            Self::Serviceability => "SLS",
+        }
+    }
+
+    /// The limit state of a word in a table.
+    pub fn of(word: &str) -> Option<Self> {
+        [Self::Ultimate, Self::Serviceability].into_iter().find(|s| s.word() == word)
     }
 }
 
@@ -118,6 +133,11 @@ impl LoadSpec {
 }
 
 impl ActionPoint {
+    /// The point of a word in a table.
+    pub fn of(word: &str) -> Option<Self> {
+        [Self::Node, Self::ColumnFace, Self::BoltPlane].into_iter().find(|p| p.word() == word)
+    }
+
     /// Name in a spec.
     pub fn word(self) -> &'static str {
         match self {
@@ -129,6 +149,9 @@ impl ActionPoint {
 }
 
 impl Action {
+    /// All actions, forces first.
+    pub const ALL: [Self; 6] = [Self::N, Self::Vy, Self::Vz, Self::T, Self::My, Self::Mz];
+
     /// Name in a spec.
     pub fn word(self) -> &'static str {
         match self {

@@ -5,8 +5,10 @@ pub mod code;
 pub mod connection;
 pub mod expr;
 pub mod friction;
+pub mod load_table;
 pub mod loads;
 pub mod polygon;
+pub mod table_loads;
 pub mod welds;
 mod word;
 

@@ -13,8 +13,8 @@ use crate::markdown::title::title_block;
 use crate::markdown::warnings::warnings;
 use crate::markdown::yielding::yielding;
 use crate::markdown::{
-    component_method, demand, forces, hand_checks, input, load_steps, method, polygon, route,
-    stiffness, summary, verdict,
+    component_method, demand, forces, hand_checks, input, load_cases, load_steps, method, polygon,
+    route, stiffness, summary, verdict,
 };
 use crate::words::Words;
 use bracket_base::diag::visible;
@@ -22,11 +22,13 @@ use bracket_base::say;
 
 /// The text of `report.md` in the language of `words`. Equal data give equal texts.
 pub fn report_markdown(data: &ReportData, words: &Words) -> String {
-    let doc = &mut Doc::new(words);
+    let (doc, all) = (&mut Doc::new(words), data);
+    let data = &*load_cases::condensed(all);
     title_block(doc, data);
     doc.heading("Answer");
     verdict::verdict(doc, &data.result);
-    hand_checks::failed(doc, &data.result.checks);
+    hand_checks::failed(doc, &all.result.checks);
+    load_cases::section(doc, all);
     summary::table_of_checks(doc, &data.result);
     demand::demands(doc, &data.result, &data.input.demands);
     if !data.input.plane_actions.rows.is_empty() {

@@ -12,6 +12,7 @@ pub mod hand_checks;
 pub mod history;
 pub mod input;
 pub mod joint;
+pub mod load_cases;
 pub mod load_steps;
 pub mod method;
 pub mod polygon;

@@ -51,6 +51,19 @@ impl<'a> Content<'a> {
                 }
             });
         }
+        if !sheet.load_cases.rows.is_empty() {
+            self.titled("Load cases", |c| {
+                c.line("p", "", &pieces(&sheet.load_cases_note));
+                let filter = escaped(&c.words.say(&"filter".into()));
+                let _ = writeln!(
+                    c.body,
+                    "<div class=\"cases\"><input type=\"search\" placeholder=\"{filter}\" \
+                     aria-label=\"{filter}\" hidden>"
+                );
+                c.grid(&sheet.load_cases);
+                c.body.push_str("</div>\n");
+            });
+        }
         if !sheet.summary.is_empty() {
             self.titled("Checks", |c| c.summary(sheet));
         }

@@ -26,7 +26,8 @@ pub const PAGE_FILE: &str = "report.html";
 const STYLE: &str = include_str!("page.css");
 const VIEW: &str = include_str!("viewer/view.html");
 /// The script in the order in which its parts need each other.
-const SCRIPT: [&str; 4] = [
+const SCRIPT: [&str; 5] = [
+    include_str!("viewer/cases.js"),
     include_str!("viewer/scene.js"),
     include_str!("viewer/camera.js"),
     include_str!("viewer/drawing.js"),

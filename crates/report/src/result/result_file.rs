@@ -11,6 +11,7 @@ pub use crate::result::case_result::PeakPressure;
 pub use crate::result::case_result::WeldUse;
 pub use crate::result::certificate::{Certificate, RESIDUAL_TOLERANCE};
 pub use crate::result::history::{HistoryRow, Predicted, ProgramRun, SoFar, TraceRow};
+use crate::result::judged_case::JudgedCase;
 use crate::result::polygon::CapacityPolygon;
 pub use crate::result::quantity::{
     FrictionModel, LoadSize, Quantity, RawBracket, Unbounded, Upper,
@@ -49,6 +50,9 @@ pub struct ResultFile {
     /// check.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub judgement: Option<Judgement>,
+    /// The verdict on each load case, where several are judged.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub load_cases: Vec<JudgedCase>,
     /// Load case of every requested analysis, in the order of the analyses; a case occurs several
     /// times if there are several kinds of analysis.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
@@ -165,6 +169,7 @@ impl ResultFile {
             symmetry,
             verdict,
             judgement: None,
+            load_cases: Vec::new(),
             asked: Vec::new(),
             cases,
             checks,
@@ -189,12 +194,14 @@ impl ResultFile {
                 return Err(ResultError::NotStrict { case: case.name.clone(), residual, value });
             }
         }
-        // serde_json writes NaN and infinity as null, and no field is null otherwise
-        let value = serde_json::to_value(self)?;
-        if let Some(path) = find_null(&value, String::new()) {
+        let mut text = serde_json::to_string_pretty(self)?;
+        // serde_json writes NaN and infinity as null, and no field is null otherwise; a text may
+        // have the word
+        if text.contains("null")
+            && let Some(path) = find_null(&serde_json::to_value(self)?)
+        {
             return Err(ResultError::NotFinite { path });
         }
-        let mut text = serde_json::to_string_pretty(&value)?;
         text.push('\n');
         Ok(text)
     }
@@ -224,17 +231,18 @@ impl ResultFile {
     }
 }
 
-fn find_null(value: &serde_json::Value, path: String) -> Option<String> {
+/// The path of a null within a value.
+fn find_null(value: &serde_json::Value) -> Option<String> {
     use serde_json::Value;
+    let below = |head: String, v: &Value| {
+        let rest = find_null(v)?;
+        let dot = if rest.is_empty() || rest.starts_with('[') { "" } else { "." };
+        Some(format!("{head}{dot}{rest}"))
+    };
     match value {
-        Value::Null => Some(path),
-        Value::Array(items) => {
-            items.iter().enumerate().find_map(|(i, v)| find_null(v, format!("{path}[{i}]")))
-        }
-        Value::Object(map) => map.iter().find_map(|(k, v)| {
-            let dot = if path.is_empty() { "" } else { "." };
-            find_null(v, format!("{path}{dot}{k}"))
-        }),
+        Value::Null => Some(String::new()),
+        Value::Array(all) => all.iter().enumerate().find_map(|(i, v)| below(format!("[{i}]"), v)),
+        Value::Object(map) => map.iter().find_map(|(k, v)| below(k.clone(), v)),
         _ => None,
     }
 }

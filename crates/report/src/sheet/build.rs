@@ -23,7 +23,8 @@ use crate::markdown::warnings::all_warnings;
 use crate::markdown::words::analysis_word;
 use crate::markdown::yielding::yielding;
 use crate::markdown::{
-    certificate, component_method, forces, history, input, method, polygon, route, stiffness,
+    certificate, component_method, forces, history, input, load_cases, method, polygon, route,
+    stiffness,
 };
 use crate::result::result_file::{CaseResult, Quantity, ResultFile, Upper};
 use crate::summary::{SummaryRow, Tone, summary_rows, used_words};
@@ -37,7 +38,17 @@ use std::collections::BTreeSet;
 
 /// The sheet of a report.
 pub fn sheet(data: &ReportData, words: &Words, extent: Extent, paper: Paper) -> Sheet {
-    let full = extent == Extent::Full;
+    let (full, all) = (extent == Extent::Full, data);
+    let data = &*load_cases::condensed(all);
+    let many = load_cases::are_many(all);
+    let most = if full { usize::MAX } else { MOST_LINES };
+    let lines = many.then(|| load_cases::lines(&all.result.load_cases, most));
+    let (lines, others) = lines.unwrap_or_default();
+    let further = say!("{} further load cases are in cases.csv and report.html.", others);
+    let lines_note = match others {
+        0 => load_cases::LINES.into(),
+        _ => Text::joined(" ", [load_cases::LINES.into(), further]),
+    };
     let title = data.input.project.first().map_or_else(|| data.input.name.clone(), |l| l.1.clone());
     // an office files reports by these lines: what the spec does not give is filled in by hand
     let filed = ["number", "revision", "author", "checker", "date"];
@@ -47,9 +58,10 @@ pub fn sheet(data: &ReportData, words: &Words, extent: Extent, paper: Paper) -> 
         data.input.project.iter().skip(1).filter(|l| !filed.contains(&l.0.as_str())).cloned();
     let project = block.into_iter().chain(others).collect();
     let hash = data.result.input_hash.clone();
-    let (rows, note) = match full {
-        true => (summary_rows(&data.result), Text::default()),
-        false => in_worst_case(summary_rows(&data.result)),
+    let (rows, note) = match summary_rows(&data.result) {
+        rows if many => (rows, load_cases::WORST.into()),
+        rows if full => (rows, Text::default()),
+        rows => in_worst_case(rows),
     };
     let sentences = |all: Vec<Text>| all.iter().map(|t| spans(words, t)).collect();
     Sheet {
@@ -57,7 +69,15 @@ pub fn sheet(data: &ReportData, words: &Words, extent: Extent, paper: Paper) -> 
         head: Head::new(paper, title, project, words, &data.result.tool, hash),
         verdict: verdict(&data.result, words),
         drawings: captions(&data.input.drawings, words),
-        actions: grid(words, &actions(&data.result, &data.input.demands)),
+        actions: grid(
+            words,
+            &match many {
+                true => load_cases::envelope(&all.input.demands),
+                false => actions(&data.result, &data.input.demands),
+            },
+        ),
+        load_cases: grid(words, &lines),
+        load_cases_note: said(words, &lines_note),
         plane_actions: grid(words, &data.input.plane_actions),
         plane_note: said(words, &ON_PLANES.into()),
         summary: rows.into_iter().map(|r| summary_line(r, words)).collect(),
@@ -120,6 +140,9 @@ fn in_worst_case(mut rows: Vec<SummaryRow>) -> (Vec<SummaryRow>, Text) {
     );
     (rows, note)
 }
+
+/// Most load cases of which the short report has a line.
+const MOST_LINES: usize = 60;
 
 /// Load cases up to which the short report lists every check of each.
 const EVERY_CASE: usize = 4;

@@ -166,6 +166,10 @@ pub struct Sheet {
     pub plane_actions: Grid,
     /// What the table before is.
     pub plane_note: Vec<Piece>,
+    /// Many load cases, the worst first; empty where each has its own rows.
+    pub load_cases: Grid,
+    /// What the table before is, and how many load cases it leaves out.
+    pub load_cases_note: Vec<Piece>,
     /// Checks with a demand, worst first.
     pub summary: Vec<SummaryLine>,
     /// What the summary leaves out; empty where it has all.

@@ -1,0 +1,315 @@
+//! Finds the columns of a table of forces by their headers.
+
+use super::program::{Heading, Program, Quantity};
+use bracket_base::diag::did_you_mean;
+use bracket_base::grid::Row;
+use bracket_base::units::{Dim, unit};
+use std::collections::BTreeMap;
+
+/// Rows in which the header is looked for: programs write titles above a table.
+const SEARCHED: usize = 100;
+
+/// A column that holds a quantity.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Column {
+    /// Its number.
+    pub index: usize,
+    /// What it holds.
+    pub quantity: Quantity,
+    /// Factor from the number of a cell to N or N mm, sign included; 1 for texts.
+    pub factor: f64,
+    /// Its header.
+    pub header: String,
+    /// Which part of its cells, where they hold several texts: `Bar/Node/Case`.
+    pub part: Option<usize>,
+}
+
+/// The header of a table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Headers {
+    /// Index of the row after it, and after the units below it.
+    pub first: usize,
+    /// Columns with a quantity, in the order in which their cells count.
+    pub columns: Vec<Column>,
+    /// The texts of all headers.
+    pub texts: Vec<String>,
+}
+
+/// A fault of a header: the line, what is wrong, and what to do.
+#[derive(Clone, Debug, PartialEq)]
+pub struct HeaderFault {
+    /// Line of the table.
+    pub line: usize,
+    /// What is wrong.
+    pub message: String,
+    /// What to do.
+    pub help: String,
+}
+
+/// A header as a user names it: its text with the sign before it.
+fn signed(text: &str) -> (f64, &str) {
+    match text.trim().strip_prefix(['-', '−']) {
+        Some(rest) => (-1.0, rest.trim()),
+        None => (1.0, text.trim()),
+    }
+}
+
+/// Splits `M-y [kNm]` into the name and the unit.
+fn split(header: &str) -> (String, Option<&str>) {
+    let header = header.trim();
+    let cut = match header.chars().last() {
+        Some(']') => header.rfind('['),
+        Some(')') => header.rfind('('),
+        _ => None,
+    };
+    let (name, unit) = match cut {
+        Some(i) => (&header[..i], Some(&header[i + 1..header.len() - 1])),
+        // a comma stands before the unit in tables of some spreadsheets
+        None => header.split_once(", ").map_or((header, None), |(n, u)| (n, Some(u))),
+    };
+    let words: Vec<&str> = name.split_whitespace().collect();
+    (words.join(" "), unit.map(str::trim).filter(|u| !u.is_empty()))
+}
+
+fn same(a: &str, b: &str) -> bool {
+    a.trim().eq_ignore_ascii_case(b.trim())
+}
+
+/// The factor of a unit of an action to N or N mm; programs write `KN-m`, `kN.m` and `kNm`.
+fn factor(text: &str, quantity: Quantity) -> Option<f64> {
+    let dim = match quantity {
+        Quantity::N | Quantity::Vy | Quantity::Vz => Dim::FORCE,
+        _ => Dim::MOMENT,
+    };
+    let spaced = text.replace(['-', '.', '_'], " ");
+    let known = |t: &str| unit(t).filter(|(_, d)| *d == dim).map(|(f, _)| f);
+    let usual = || {
+        let usual = spaced.to_ascii_lowercase();
+        known(&usual.replace("kn", "kN").replace("mn", "MN").replace("kips", "kip"))
+    };
+    known(&spaced).or_else(usual)
+}
+
+impl Headers {
+    /// Finds the header of a table: the row that names most actions. `own`: the headers that the
+    /// user names, by quantity.
+    pub fn find(
+        rows: &[Row],
+        program: Option<Program>,
+        own: &BTreeMap<Quantity, String>,
+    ) -> Result<Self, HeaderFault> {
+        let score = |row: &Row| {
+            let named = |q: &Quantity| !matching(row, *q, program, own).is_empty();
+            let actions = Quantity::ACTIONS.iter().filter(|q| named(q)).count();
+            let others = Quantity::ALL.iter().filter(|q| q.action().is_none() && named(q)).count();
+            if actions == 0 { 0 } else { 100 * actions + others }
+        };
+        let best = (0..rows.len().min(SEARCHED)).max_by_key(|i| (score(&rows[*i]), SEARCHED - i));
+        let Some(at) = best.filter(|i| score(&rows[*i]) > 0) else {
+            return Err(no_header(rows, program, own));
+        };
+        let row = &rows[at];
+        if let (None, true, Some((header, other))) = (program, own.is_empty(), of_other(row)) {
+            return Err(HeaderFault {
+                line: row.line,
+                message: format!(
+                    "`{header}` is a header of `mapping: {}`, and actions with the same names have \
+                     other signs there",
+                    other.word()
+                ),
+                help:
+                    "name the program with `mapping`; or, for a table with the signs of Bracket, \
+                       its headers with `columns`"
+                        .into(),
+            });
+        }
+        for (quantity, header) in own {
+            if matching(row, *quantity, program, own).is_empty() {
+                let told: Vec<&str> = row.cells.iter().map(String::as_str).collect();
+                let near = did_you_mean(header, told.iter().copied());
+                return Err(HeaderFault {
+                    line: row.line,
+                    message: format!(
+                        "`columns: {}` names the header `{header}`, which is not there{near}",
+                        quantity.word()
+                    ),
+                    help: format!("the headers are {}", list(&told)),
+                });
+            }
+        }
+        let units = rows.get(at + 1).filter(|below| holds_units(row, below, program, own));
+        let mut columns = Vec::new();
+        for quantity in Quantity::ALL {
+            columns.extend(of_quantity(row, units, quantity, program, own)?);
+        }
+        let first = at + 1 + usize::from(units.is_some());
+        Ok(Self { first, columns, texts: row.cells.clone() })
+    }
+}
+
+/// A header that only another program has, and the program: the one that knows most headers.
+fn of_other(row: &Row) -> Option<(&str, Program)> {
+    let texts = [Quantity::Case, Quantity::Member, Quantity::Station, Quantity::Node];
+    let none = BTreeMap::new();
+    let found = |q: Quantity, p: Option<Program>| matching(row, q, p, &none).first().map(|m| m.0);
+    let known = |p: Program| texts.iter().filter(|q| found(**q, Some(p)).is_some()).count();
+    let foreign = |p: Program| {
+        let mine = texts.map(|q| found(q, None));
+        let theirs = texts.iter().filter_map(|q| found(*q, Some(p)));
+        theirs.into_iter().find(|i| !mine.contains(&Some(*i)))
+    };
+    let other = Program::ALL.into_iter().rev().max_by_key(|p| known(*p))?;
+    foreign(other).map(|i| (row.cells[i].as_str(), other))
+}
+
+/// The columns of a quantity: number, part of the cell, sign, unit.
+type Match<'a> = (usize, Option<usize>, f64, Option<&'a str>);
+
+fn matching<'a>(
+    row: &'a Row,
+    quantity: Quantity,
+    program: Option<Program>,
+    own: &'a BTreeMap<Quantity, String>,
+) -> Vec<Match<'a>> {
+    let cells = || row.cells.iter().enumerate();
+    if let Some(header) = own.get(&quantity) {
+        let (sign, wanted) = signed(header);
+        let (name, unit) = split(wanted);
+        let whole = cells().find(|(_, c)| same(c, wanted));
+        let found = whole.or_else(|| cells().find(|(_, c)| same(&split(c).0, &name)));
+        return found.map(|(i, c)| (i, None, sign, unit.or(split(c).1))).into_iter().collect();
+    }
+    let headings: &'static [Heading] = Program::headings(program);
+    let Some(heading) = headings.iter().find(|h| h.quantity == quantity) else {
+        return Vec::new();
+    };
+    // Bracket's actions count with their case; Robot writes several names into one column
+    let exact = program.is_none() && quantity.action().is_some();
+    let joined = program == Some(Program::Robot) && quantity.action().is_none();
+    let mut found = Vec::new();
+    for name in heading.names {
+        for (i, cell) in cells() {
+            let (header, unit) = split(cell);
+            if if exact { header == *name } else { same(&header, name) } {
+                found.push((i, None, heading.sign, unit));
+            } else if joined && header.contains('/') {
+                let part = header.split('/').position(|p| same(p, name));
+                found.extend(part.map(|p| (i, Some(p), heading.sign, unit)));
+            }
+        }
+    }
+    found
+}
+
+/// Whether the row below a header has the units of all actions that it names.
+fn holds_units(
+    row: &Row,
+    below: &Row,
+    program: Option<Program>,
+    own: &BTreeMap<Quantity, String>,
+) -> bool {
+    let unit_of = |q: Quantity, m: &Match| {
+        below
+            .cells
+            .get(m.0)
+            .is_some_and(|c| factor(c.trim_matches(['[', ']', '(', ')']), q).is_some())
+    };
+    Quantity::ACTIONS.iter().all(|q| matching(row, *q, program, own).iter().all(|m| unit_of(*q, m)))
+}
+
+/// The columns of a quantity with their factors. An action has one column; of texts the first cell
+/// that is not empty counts.
+fn of_quantity(
+    row: &Row,
+    units: Option<&Row>,
+    quantity: Quantity,
+    program: Option<Program>,
+    own: &BTreeMap<Quantity, String>,
+) -> Result<Vec<Column>, HeaderFault> {
+    let found = matching(row, quantity, program, own);
+    let header = |m: &Match| row.cells[m.0].clone();
+    let column = |m: &Match, factor: f64| Column {
+        index: m.0,
+        quantity,
+        factor: m.2 * factor,
+        header: header(m),
+        part: m.1,
+    };
+    if quantity.action().is_none() {
+        return Ok(found.iter().map(|m| column(m, 1.0)).collect());
+    }
+    let fault = |message: String, help: String| HeaderFault { line: row.line, message, help };
+    let m = match found.as_slice() {
+        [] => return Ok(Vec::new()),
+        [m] => m,
+        [a, b, ..] => {
+            let message =
+                format!("both `{}` and `{}` may be {}", header(a), header(b), quantity.word());
+            let help = format!("name one: `columns: {{{}: {}}}`", quantity.word(), header(a));
+            return Err(fault(message, help));
+        }
+    };
+    let below = units.and_then(|u| u.cells.get(m.0)).map(|c| c.trim_matches(['[', ']', '(', ')']));
+    let Some(unit) = m.3.or(below) else {
+        let message = format!("the column `{}` has no unit", header(m));
+        let usual = if quantity.word().starts_with(['N', 'V']) { "kN" } else { "kN m" };
+        let help = format!(
+            "write it into the header, `{} [{usual}]`, or into the spec: `columns: {{{}: \"{} \
+             [{usual}]\"}}`",
+            split(&header(m)).0,
+            quantity.word(),
+            split(&header(m)).0
+        );
+        return Err(fault(message, help));
+    };
+    let Some(factor) = factor(unit, quantity) else {
+        let kind = if quantity.word().starts_with(['N', 'V']) { "force" } else { "moment" };
+        let message = format!("column `{}`: `{unit}` is no unit of a {kind}", header(m));
+        return Err(fault(message, "units are N, kN, MN, kip and N mm, kN m, kip ft".into()));
+    };
+    Ok(vec![column(m, factor)])
+}
+
+fn no_header(
+    rows: &[Row],
+    program: Option<Program>,
+    own: &BTreeMap<Quantity, String>,
+) -> HeaderFault {
+    let Some(first) = rows.first() else {
+        let help = "the first row holds the headers, each further row a load case".into();
+        return HeaderFault { line: 1, message: "the table is empty".into(), help };
+    };
+    let headings = Program::headings(program);
+    let wanted: Vec<&str> = match own.is_empty() {
+        true => Quantity::ACTIONS
+            .iter()
+            .filter_map(|q| headings.iter().find(|h| h.quantity == *q)?.names.first().copied())
+            .collect(),
+        false => own.values().map(String::as_str).collect(),
+    };
+    // what another program's headers would find
+    let other = Program::ALL.into_iter().filter(|p| Some(*p) != program).find(|p| {
+        let named = |r: &Row, q: &Quantity| !matching(r, *q, Some(*p), &BTreeMap::new()).is_empty();
+        rows.iter().take(SEARCHED).any(|r| Quantity::ACTIONS.iter().all(|q| named(r, q)))
+    });
+    let told: Vec<&str> = first.cells.iter().map(String::as_str).collect();
+    let help = match other {
+        Some(p) => format!("the headers are those of `mapping: {}`", p.word()),
+        None => format!(
+            "name the headers with `columns: {{N: …, My: …}}`, or the program with `mapping`; the \
+             first row has {}",
+            list(&told)
+        ),
+    };
+    let message = format!("no row has the header of an action ({})", list(&wanted));
+    HeaderFault { line: first.line, message, help }
+}
+
+/// Names in backticks, at most some of them.
+pub(super) fn list(names: &[&str]) -> String {
+    const SHOWN: usize = 16;
+    let shown: Vec<String> =
+        names.iter().filter(|n| !n.is_empty()).take(SHOWN).map(|n| format!("`{n}`")).collect();
+    let more = if names.len() > SHOWN { ", …" } else { "" };
+    format!("{}{more}", shown.join(", "))
+}

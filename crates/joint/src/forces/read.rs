@@ -1,0 +1,219 @@
+//! Reads the rows of a table of forces.
+
+use super::headers::{Column, HeaderFault, Headers, list};
+use super::program::{Program, Quantity};
+use bracket_base::diag::{Diagnostic, Diagnostics, Place};
+use bracket_base::grid::{self, Grid, Row};
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// Faults that are reported at once; a wrong column has one in every row.
+const SHOWN: usize = 5;
+
+/// Where a table is and how it is written.
+#[derive(Clone, Copy, Debug)]
+pub struct Source<'a> {
+    /// The file.
+    pub file: &'a Path,
+    /// Sheet of a workbook.
+    pub sheet: Option<&'a str>,
+    /// The program whose headers, axes and signs it has; `None`: those of Bracket.
+    pub program: Option<Program>,
+    /// Headers that the user names.
+    pub columns: &'a BTreeMap<Quantity, String>,
+}
+
+/// A row of a table of forces.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ForceRow {
+    /// Line of the file, or row of the sheet.
+    pub line: usize,
+    /// Texts of the row by quantity; none is empty.
+    texts: BTreeMap<Quantity, String>,
+    /// `N, Vy, Vz, T, My, Mz` with Bracket's signs at the start of the member \[N, N mm\].
+    pub actions: [f64; 6],
+}
+
+impl ForceRow {
+    /// The text of a quantity that is no action.
+    pub fn text(&self, quantity: Quantity) -> Option<&str> {
+        self.texts.get(&quantity).map(String::as_str)
+    }
+
+    /// Distance from the start of the member, in the unit of the table.
+    pub fn station(&self) -> Option<f64> {
+        let text = self.text(Quantity::Station)?;
+        let number = text.split_whitespace().next()?;
+        number.replace(',', ".").parse().ok().filter(|x: &f64| x.is_finite())
+    }
+}
+
+/// The rows of a table, and which actions its columns give.
+pub fn read(source: &Source<'_>) -> Result<(Vec<ForceRow>, [bool; 6]), Diagnostics> {
+    let Source { file, sheet, program, .. } = *source;
+    let grid = grid::read(file, sheet, Program::sheets(program), |e| {
+        Diagnostic::input(
+            "loads/table",
+            format!("the table `{}` cannot be read: {e}", file.display()),
+        )
+        .file(file)
+        .help("the path of a table is relative to the file that names it")
+    })?;
+    of_grid(&grid, source)
+}
+
+fn fault(
+    file: &Path,
+    line: usize,
+    header: Option<&str>,
+    message: String,
+    help: &str,
+) -> Diagnostic {
+    let (file, path) = (Some(file.into()), header.map(str::to_owned));
+    let place = Place { file, line: Some(line), column: None, path };
+    Diagnostic { place, ..Diagnostic::input("loads/table", message).help(help) }
+}
+
+pub(super) fn of_grid(
+    grid: &Grid,
+    source: &Source<'_>,
+) -> Result<(Vec<ForceRow>, [bool; 6]), Diagnostics> {
+    let Source { file, program, columns, .. } = *source;
+    let headers = Headers::find(&grid.rows, program, columns)
+        .map_err(|HeaderFault { line, message, help }| fault(file, line, None, message, &help))?;
+    let rows = &grid.rows[headers.first..];
+    if rows.is_empty() {
+        let line = grid.rows.last().map_or(1, |r| r.line);
+        let help = "each row below the header is a load case";
+        return Err(fault(file, line, None, "the table has no rows".into(), help).into());
+    }
+    no_envelope(rows, &headers, file)?;
+    let decimal = decimal(rows, &headers.columns, grid.separator, file)?;
+    let mut out = Vec::with_capacity(rows.len());
+    let mut faults = Vec::new();
+    for row in rows {
+        match of_row(row, &headers.columns, decimal) {
+            Ok(row) => out.push(row),
+            Err((header, message)) => {
+                let help = "write a number, without a unit where the header has it, or delete a \
+                            row that is no load case";
+                faults.push(fault(file, row.line, Some(&header), message, help));
+            }
+        }
+    }
+    if faults.len() > SHOWN {
+        let more = format!("{} more faults in the table", faults.len() - SHOWN);
+        faults.truncate(SHOWN);
+        faults.push(fault(file, 1, None, more, "correct these first"));
+    }
+    Diagnostics::refuse(faults)?;
+    let given = Quantity::ACTIONS.map(|q| headers.columns.iter().any(|c| c.quantity == q));
+    Ok((out, given))
+}
+
+fn cell<'a>(row: &'a Row, column: &Column) -> &'a str {
+    let whole = row.cells.get(column.index).map_or("", String::as_str);
+    match column.part {
+        Some(part) => whole.split('/').nth(part).unwrap_or(""),
+        None => whole,
+    }
+    .trim()
+}
+
+fn of_row(row: &Row, columns: &[Column], decimal: char) -> Result<ForceRow, (String, String)> {
+    let (mut texts, mut actions) = (BTreeMap::new(), [0.0; 6]);
+    for column in columns {
+        let text = cell(row, column);
+        match column.quantity.action() {
+            // the first of several columns that says something counts
+            None if !text.is_empty() => {
+                texts.entry(column.quantity).or_insert_with(|| text.to_owned());
+            }
+            None => {}
+            // an empty cell is zero: programs leave out what does not act
+            Some(_) if text.is_empty() => {}
+            Some(i) => {
+                let Some(value) = grid::number(text, decimal) else {
+                    let message = format!("column `{}`: `{text}` is not a number", column.header);
+                    return Err((column.header.clone(), message));
+                };
+                actions[i] = column.factor * value;
+            }
+        }
+    }
+    Ok(ForceRow { line: row.line, texts, actions })
+}
+
+/// The decimal sign of the actions. Between commas, and in the cells of a workbook, a point is one.
+fn decimal(
+    rows: &[Row],
+    columns: &[Column],
+    separator: Option<char>,
+    file: &Path,
+) -> Result<char, Diagnostics> {
+    let numbers = || columns.iter().filter(|c| c.quantity.action().is_some());
+    let cells: Vec<&str> = rows.iter().flat_map(|r| numbers().map(move |c| cell(r, c))).collect();
+    let clear = matches!(separator, Some(',') | None);
+    if clear && !cells.iter().any(|c| c.contains(',')) {
+        return Ok('.');
+    }
+    grid::decimal_sign(cells.into_iter()).map_err(|[a, b]| {
+        let message = match a == b {
+            true => {
+                format!("`{a}` may be {} or {}", a.replace(',', "."), a.replace([',', '.'], ""))
+            }
+            false => format!("`{a}` has a point before its decimals and `{b}` a comma"),
+        };
+        let at = rows.iter().find(|r| r.cells.contains(&b)).map_or(1, |r| r.line);
+        let help =
+            "write all decimals of the table with the same sign and nothing between thousands";
+        fault(file, at, None, message, help).into()
+    })
+}
+
+/// Refuses the rows of an envelope. Their actions do not act together.
+fn no_envelope(rows: &[Row], headers: &Headers, file: &Path) -> Result<(), Diagnostics> {
+    let steps: Vec<&Column> =
+        headers.columns.iter().filter(|c| c.quantity == Quantity::Step).collect();
+    let texts = headers.texts.len();
+    let numbers: Vec<usize> =
+        headers.columns.iter().filter(|c| c.quantity.action().is_some()).map(|c| c.index).collect();
+    for row in rows {
+        let stepped = steps.iter().map(|c| cell(row, c)).find(|t| is_extreme(t));
+        let other = (0..texts.max(row.cells.len()))
+            .filter(|i| !numbers.contains(i))
+            .filter_map(|i| row.cells.get(i))
+            .find(|t| is_extreme(t));
+        if let Some(word) = stepped.or(other.map(String::as_str)) {
+            let message = format!(
+                "the row `{word}` belongs to an envelope: its actions are extremes of several load \
+                 cases and do not act together"
+            );
+            let help = "export the single combinations, or for each extreme the actions that act \
+                        with it";
+            return Err(fault(file, row.line, None, message, help).into());
+        }
+    }
+    Ok(())
+}
+
+/// `Max`, `min`, `max My`: what programs write beside the rows of an envelope.
+fn is_extreme(text: &str) -> bool {
+    let mut words = text.split_whitespace();
+    let first = words.next().unwrap_or_default().trim_end_matches('.').to_ascii_lowercase();
+    let rest: Vec<&str> = words.collect();
+    let of_action = |w: &str| {
+        Quantity::ACTIONS.iter().any(|q| q.word().eq_ignore_ascii_case(&w.replace('-', "")))
+            || ["P", "V2", "V3", "M2", "M3", "MT", "Mx"].iter().any(|n| n.eq_ignore_ascii_case(w))
+    };
+    matches!(first.as_str(), "max" | "min" | "maximum" | "minimum")
+        && (rest.is_empty() || rest.len() == 1 && of_action(rest[0]))
+}
+
+/// The rows of a member, for a message.
+pub fn names<'a>(rows: impl Iterator<Item = &'a ForceRow>, quantity: Quantity) -> String {
+    let mut names: Vec<&str> = rows.filter_map(|r| r.text(quantity)).collect();
+    names.sort_unstable();
+    names.dedup();
+    list(&names)
+}
