@@ -6,7 +6,7 @@
 use super::column::{self, Column, Decimals};
 use super::dimension::{Dimension, Setting};
 use bracket_base::diag::{Diagnostic, Diagnostics, Place};
-use bracket_base::grid::{self, Grid, Row};
+use bracket_base::grid::{self, Comments, Grid, Row};
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -18,7 +18,7 @@ const MOST_COLUMNS: usize = 1000;
 
 /// Reads a table.
 pub fn read(file: &Path) -> Result<Dimension, Diagnostics> {
-    let grid = grid::read(file, None, &[], |e| {
+    let grid = grid::read(file, None, &[], Comments::Hash, |e| {
         Diagnostic::input(
             "sweep/table",
             format!("the table `{}` cannot be read: {e}", file.display()),
@@ -164,7 +164,8 @@ mod tests {
 
     fn read(text: &str) -> Result<Dimension, Diagnostics> {
         let file = Path::new("joints.csv");
-        let grid = grid::of_text(text).map_err(|d| Diagnostics::from(d.file(file)))?;
+        let grid =
+            grid::of_text(text, Comments::Hash).map_err(|d| Diagnostics::from(d.file(file)))?;
         of_grid(&grid, file)
     }
 

@@ -297,6 +297,10 @@ fn the_specs_of_the_documents_are_valid() {
     let _ = fs::remove_dir_all(&folder);
     fs::create_dir_all(&folder).expect("folder");
     let (mut tried, mut sweeps) = (0, 0);
+    // the table of the section on load cases
+    let forces = "Member No.;Node No.;Location x [m];LC/CO;N [kN];V-z [kN];M-y [kNm]\n\
+                  12;3;0;CO1;5;20;-30\n12;3;0;CO91;5;15;-20\n12;3;0;GRAV;4;10;-15\n";
+    fs::write(folder.join("forces.csv"), forces).expect("written");
     for block in yaml_blocks(&guide).into_iter().chain(yaml_blocks(&read("README.md"))) {
         let mut spec = entries(&block);
         if spec.contains_key("mesh") {

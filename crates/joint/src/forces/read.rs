@@ -3,7 +3,7 @@
 use super::headers::{Column, HeaderFault, Headers, list};
 use super::program::{Program, Quantity};
 use bracket_base::diag::{Diagnostic, Diagnostics, Place};
-use bracket_base::grid::{self, Grid, Row};
+use bracket_base::grid::{self, Comments, Grid, Row};
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -30,6 +30,8 @@ pub struct ForceRow {
     pub line: usize,
     /// Texts of the row by quantity; none is empty.
     texts: BTreeMap<Quantity, String>,
+    /// Distance from the start of the member, in the unit of the table.
+    pub station: Option<f64>,
     /// `N, Vy, Vz, T, My, Mz` with Bracket's signs at the start of the member \[N, N mm\].
     pub actions: [f64; 6],
 }
@@ -39,19 +41,12 @@ impl ForceRow {
     pub fn text(&self, quantity: Quantity) -> Option<&str> {
         self.texts.get(&quantity).map(String::as_str)
     }
-
-    /// Distance from the start of the member, in the unit of the table.
-    pub fn station(&self) -> Option<f64> {
-        let text = self.text(Quantity::Station)?;
-        let number = text.split_whitespace().next()?;
-        number.replace(',', ".").parse().ok().filter(|x: &f64| x.is_finite())
-    }
 }
 
 /// The rows of a table, and which actions its columns give.
 pub fn read(source: &Source<'_>) -> Result<(Vec<ForceRow>, [bool; 6]), Diagnostics> {
     let Source { file, sheet, program, .. } = *source;
-    let grid = grid::read(file, sheet, Program::sheets(program), |e| {
+    let grid = grid::read(file, sheet, Program::sheets(program), Comments::None, |e| {
         Diagnostic::input(
             "loads/table",
             format!("the table `{}` cannot be read: {e}", file.display()),
@@ -92,6 +87,7 @@ pub(super) fn of_grid(
     let mut out = Vec::with_capacity(rows.len());
     let mut faults = Vec::new();
     for row in rows {
+        complete(row, &headers, grid.separator.is_some(), file)?;
         match of_row(row, &headers.columns, decimal) {
             Ok(row) => out.push(row),
             Err((header, message)) => {
@@ -141,7 +137,11 @@ fn of_row(row: &Row, columns: &[Column], decimal: char) -> Result<ForceRow, (Str
             }
         }
     }
-    Ok(ForceRow { line: row.line, texts, actions })
+    let station = texts.get(&Quantity::Station).and_then(|text| {
+        // a unit may stand behind it
+        grid::number(text.split_whitespace().next()?, decimal)
+    });
+    Ok(ForceRow { line: row.line, texts, station, actions })
 }
 
 /// The decimal sign of the actions. Between commas, and in the cells of a workbook, a point is one.
@@ -151,7 +151,8 @@ fn decimal(
     separator: Option<char>,
     file: &Path,
 ) -> Result<char, Diagnostics> {
-    let numbers = || columns.iter().filter(|c| c.quantity.action().is_some());
+    let numeric = |q: Quantity| q.action().is_some() || q == Quantity::Station;
+    let numbers = || columns.iter().filter(|c| numeric(c.quantity));
     let cells: Vec<&str> = rows.iter().flat_map(|r| numbers().map(move |c| cell(r, c))).collect();
     let clear = matches!(separator, Some(',') | None);
     if clear && !cells.iter().any(|c| c.contains(',')) {
@@ -169,6 +170,23 @@ fn decimal(
             "write all decimals of the table with the same sign and nothing between thousands";
         fault(file, at, None, message, help).into()
     })
+}
+
+/// Refuses a row that does not have the cells of the header: a comma within a number or a name has
+/// moved them. `text`: rows of a workbook all have the same width.
+fn complete(row: &Row, headers: &Headers, text: bool, file: &Path) -> Result<(), Diagnostics> {
+    let actions = headers.columns.iter().filter(|c| c.quantity.action().is_some());
+    let last = actions.map(|c| c.index).max().unwrap_or(0);
+    let beyond = row.cells.iter().skip(headers.texts.len()).any(|c| !c.is_empty());
+    let short = text && row.cells.len() <= last;
+    if !(beyond || short) {
+        return Ok(());
+    }
+    let (found, wanted) = (row.cells.len(), headers.texts.len());
+    let message = format!("the row has {found} cells, the header {wanted}");
+    let help = "a decimal comma or a comma in a name splits a cell: write points, and put names \
+                into quotes";
+    Err(fault(file, row.line, None, message, help).into())
 }
 
 /// Refuses the rows of an envelope. Their actions do not act together.

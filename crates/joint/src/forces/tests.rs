@@ -4,6 +4,7 @@
 
 use super::*;
 use bracket_base::diag::{Diagnostic, Diagnostics};
+use bracket_base::grid::Comments;
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -15,7 +16,8 @@ fn table(
     let columns: BTreeMap<Quantity, String> =
         columns.iter().map(|(q, h)| (*q, (*h).to_string())).collect();
     let file = Path::new("forces.csv");
-    let grid = bracket_base::grid::of_text(text).map_err(|d| Diagnostics::from(*d))?;
+    let grid =
+        bracket_base::grid::of_text(text, Comments::None).map_err(|d| Diagnostics::from(*d))?;
     let source = Source { file, sheet: None, program, columns: &columns };
     read::of_grid(&grid, &source).map(|(rows, _)| rows)
 }
@@ -105,9 +107,9 @@ fn axial_forces_and_weak_axes() {
     assert_eq!(of(robot, Program::Robot), [-5e3, -2e3, -0.0, -0.0, -0.0, -3e6]);
     let rfem = "Stab Nr.;LF;N [kN];Vy [kN];Mz [kNm]\n1;1;5,5;2,5;3,5\n";
     assert_eq!(of(rfem, Program::Rfem), [5.5e3, -2.5e3, 0.0, 0.0, 0.0, -3.5e6]);
-    // axis 3 of SAP2000 is −y′, axis 2 is z′
+    // axis 3 of SAP2000 is −y′, axis 2 is z′; M2 compresses the side of +3, M3 that of +2
     let sap = "Frame,OutputCase,P [kN],V3 [kN],M2 [kN m]\n1,A,5,2,3\n";
-    assert_eq!(of(sap, Program::Sap2000), [5e3, -2e3, 0.0, 0.0, 0.0, 3e6]);
+    assert_eq!(of(sap, Program::Sap2000), [5e3, -2e3, 0.0, 0.0, 0.0, -3e6]);
 }
 
 /// Bracket's own headers in the units of the table, and headers that the user names.
@@ -121,6 +123,15 @@ fn headers_units_and_signs() {
     let row = &table(foreign, None, &named).expect("sound")[0];
     assert_eq!(row.actions, [3e3, 0.0, 0.0, 0.0, 7e6, 0.0]);
     assert_eq!((row.line, row.text(Quantity::Case)), (2, Some("ULS1")));
+    // the signs of a program hold for headers that the user names
+    let rfem = table(
+        "case;M-y\nA;7\n",
+        Some(Program::Rfem),
+        &[(Quantity::Case, "case"), (Quantity::My, "M-y [kNm]")],
+    );
+    assert_eq!(rfem.expect("sound")[0].actions[4], -7e6);
+    // a name may begin with the mark of a comment
+    assert_eq!(table("case,N [kN]\n#1,5\n", None, &[]).expect("sound")[0].actions[0], 5e3);
     // empty cells are zero, and a unit row may stand in brackets
     let units = "case,N,My\n,[kN],[kNm]\nA,,2\n";
     assert_eq!(table(units, None, &[]).expect("sound")[0].actions[4], 2e6);
@@ -136,6 +147,10 @@ fn what_is_wrong_with_a_table() {
         ("case,N\nA,1\n", None, "the column `N` has no unit", "N [kN]"),
         ("case,N [kN m]\nA,1\n", None, "`kN m` is no unit of a force", "kN"),
         ("case,N [kN],N [kN]\nA,1,2\n", None, "both `N [kN]` and `N [kN]`", "name one"),
+        ("case,N [kN],MY [kNm]\nA,1,2\n", None, "`MY [kNm]` has a unit of actions", "columns"),
+        ("case,N [kN],My [kNm]\nA,1,5,-30,5\n", None, "has 5 cells, the header 3", "comma"),
+        ("case;N [kN];My [kNm]\nA;1\n", None, "has 2 cells, the header 3", "comma"),
+        ("case,N [kN]\n,N\nA,1\n", None, "has two units: `kN` and `N`", "correct"),
         ("case,N [kN]\nA,much\n", None, "`much` is not a number", "a number"),
         ("case,N [kN]\nA,1 kN\n", None, "`1 kN` is not a number", "without a unit"),
         ("case,StepType,N [kN]\nA,Max,1\n", None, "`Max` belongs to an envelope", "single"),

@@ -1,7 +1,7 @@
 //! A table of load cases in place of a list: what a frame program exports.
 
 use super::loads::{ActionPoint, LimitState, LoadSpec};
-use super::word::word_or_none;
+use super::word::{Word, word_or_none};
 use crate::forces::{Program, Quantity};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
@@ -126,7 +126,8 @@ pub struct LoadTable {
     /// the unit of the table.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub station: Option<Station>,
-    /// True if the member runs into the joint; left out: if `station` is `end`.
+    /// True if the member runs into the joint. Needed with `mapping`, unless `station` is `start`
+    /// or `end`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub flip: Option<bool>,
     /// Only these load cases; `*` stands for any letters: `ULS*`.
@@ -146,6 +147,11 @@ pub struct LoadTable {
 }
 
 impl LoadTable {
+    /// Whether the station says at which end of the member the joint is.
+    pub fn at_an_end(&self) -> bool {
+        matches!(self.station, Some(Station::Start | Station::End))
+    }
+
     /// Whether the joint is at the end of the member, so that x′ is opposite to the member's x.
     pub fn runs_into_the_joint(&self) -> bool {
         self.flip.unwrap_or(self.station == Some(Station::End))
@@ -224,15 +230,15 @@ impl JsonSchema for Station {
 #[derive(Deserialize)]
 #[serde(untagged)]
 enum Patterns {
-    One(String),
-    Many(Vec<String>),
+    One(Word),
+    Many(Vec<Word>),
 }
 
 impl From<Patterns> for Vec<String> {
     fn from(patterns: Patterns) -> Self {
         match patterns {
-            Patterns::One(one) => vec![one],
-            Patterns::Many(many) => many,
+            Patterns::One(one) => vec![one.0],
+            Patterns::Many(many) => many.into_iter().map(|w| w.0).collect(),
         }
     }
 }
@@ -247,7 +253,8 @@ fn states<'de, D: Deserializer<'de>>(d: D) -> Result<BTreeMap<LimitState, Vec<St
 }
 
 fn patterns_schema(_: &mut SchemaGenerator) -> Schema {
-    json_schema!({"anyOf": [{"type": "string"}, {"type": "array", "items": {"type": "string"}}]})
+    let word = json_schema!({"type": ["string", "number"]});
+    json_schema!({"anyOf": [word, {"type": "array", "items": word}]})
 }
 
 fn states_schema(generator: &mut SchemaGenerator) -> Schema {

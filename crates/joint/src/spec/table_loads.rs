@@ -65,7 +65,10 @@ pub fn listed(
 ) -> Result<Vec<(usize, LoadSpec)>, Diagnostics> {
     cases(table, file).map_err(|faults| {
         faults.map(|mut d| {
-            // a fault of the table has its place
+            // a fault of a row is in the table, one of a key in the spec
+            if d.place.file.is_none() && d.place.line.is_some() {
+                d.place.file = Some(file.to_path_buf());
+            }
             if d.place.file.is_none() {
                 d.place = place(d.place.path.as_deref().unwrap_or("loads"));
                 d.message = format!("{} (`{}`)", d.message, file.display());
@@ -79,6 +82,13 @@ fn cases(table: &LoadTable, file: &Path) -> Result<Vec<(usize, LoadSpec)>, Diagn
     let sheet = table.sheet.as_deref();
     let source = Source { file, sheet, program: table.mapping, columns: &table.columns };
     let (rows, given) = read(&source)?;
+    if table.mapping.is_some() && table.flip.is_none() && !table.at_an_end() {
+        let message = "the table does not say at which end of the member the joint is";
+        let help = "write `station: start` or `station: end`; or `flip: false` where the member \
+                    starts at the joint and `flip: true` where it ends there";
+        return Err(of_key("flip", message.into(), help));
+    }
+    check_states(&rows, table)?;
     let rows = of_member(&rows, table)?;
     let rows = of_cases(rows, table)?;
     let rows = at_station(rows, table)?;
@@ -132,6 +142,12 @@ fn of_member<'a>(
         let told = || names(kept.iter().copied(), quantity);
         match wanted {
             Some(wanted) => {
+                let without = kept.iter().find(|r| r.text(quantity).is_none());
+                if let (Some(row), true) =
+                    (without, kept.iter().any(|r| r.text(quantity).is_some()))
+                {
+                    return Err(of_row(row, format!("the row has no {key}"), "fill the cell"));
+                }
                 let is = |r: &&&ForceRow| r.text(quantity).is_some_and(|t| t == wanted.trim());
                 let of: Vec<&ForceRow> = kept.iter().filter(is).copied().collect();
                 if of.is_empty() {
@@ -144,7 +160,8 @@ fn of_member<'a>(
             }
             None if quantity == Quantity::Member => {
                 let first = kept.first().and_then(|r| r.text(quantity));
-                if kept.iter().any(|r| r.text(quantity) != first) && table.end.is_some() {
+                let one_end = table.end.is_some() || table.mapping.is_some();
+                if one_end && kept.iter().any(|r| r.text(quantity) != first) {
                     let message = "the table has rows of several members".to_string();
                     let help = format!("name one with `loads: {{member: …}}`: {}", told());
                     return Err(of_key("table", message, help));
@@ -164,6 +181,9 @@ fn of_cases<'a>(
     if table.cases.is_empty() {
         return Ok(rows);
     }
+    if let Some(row) = rows.iter().find(|r| r.text(Quantity::Case).is_none()) {
+        return Err(of_row(row, "the row has no name of a load case".into(), "fill the cell"));
+    }
     for pattern in &table.cases {
         if !rows.iter().any(|r| r.text(Quantity::Case).is_some_and(|c| matches(pattern, c))) {
             let told = names(rows.iter().copied(), Quantity::Case);
@@ -182,40 +202,79 @@ fn of_cases<'a>(
 }
 
 /// The rows at the station that is asked for: the first, the last or the one at a distance, of each
-/// case.
+/// case at each member and end. All cases of a member have the same sections.
 fn at_station<'a>(
     rows: Vec<&'a ForceRow>,
     table: &LoadTable,
 ) -> Result<Vec<&'a ForceRow>, Diagnostics> {
     let Some(station) = &table.station else { return Ok(rows) };
-    let mut of_case: BTreeMap<Option<&str>, Vec<f64>> = BTreeMap::new();
+    let place = |r: &'a ForceRow| [Quantity::Member, Quantity::End].map(|q| r.text(q));
+    let key = |r: &'a ForceRow| (place(r), r.text(Quantity::Case));
+    let mut groups: BTreeMap<_, Vec<(f64, &ForceRow)>> = BTreeMap::new();
     for row in &rows {
-        let Some(x) = row.station() else {
+        let Some(x) = row.station else {
             let message = format!("line {} of the table has no station", row.line);
             let help = "name its column with `columns: {station: …}`, or leave `station` out";
             return Err(of_key("station", message, help));
         };
-        of_case.entry(row.text(Quantity::Case)).or_default().push(x);
+        groups.entry(key(row)).or_default().push((x, row));
     }
-    let wanted = |row: &ForceRow| {
-        let all = &of_case[&row.text(Quantity::Case)];
-        match station {
-            Station::Start => all.iter().copied().fold(f64::INFINITY, f64::min),
-            Station::End => all.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+    let same = |a: f64, b: f64| (a - b).abs() <= SAME * a.abs().max(b.abs()).max(1.0);
+    let mut extreme: BTreeMap<[Option<&str>; 2], f64> = BTreeMap::new();
+    let mut kept: Vec<&ForceRow> = Vec::new();
+    for ((place, case), group) in &groups {
+        let all = || group.iter().map(|(x, _)| *x);
+        let wanted = match station {
+            Station::Start => all().fold(f64::INFINITY, f64::min),
+            Station::End => all().fold(f64::NEG_INFINITY, f64::max),
             Station::At(x) => *x,
+        };
+        let case = case.unwrap_or_default();
+        if !same(*extreme.entry(*place).or_insert(wanted), wanted) {
+            let message = format!("load case `{case}` has its {station} at another station");
+            let help = "export the same sections of every load case";
+            return Err(of_row(group[0].1, message, help));
         }
-    };
-    let is = |row: &&&ForceRow| {
-        let (x, at) = (row.station().unwrap_or(f64::NAN), wanted(row));
-        (x - at).abs() <= SAME * at.abs().max(1.0)
-    };
-    let kept: Vec<&ForceRow> = rows.iter().filter(is).copied().collect();
-    if kept.is_empty() {
-        let told = names(rows.iter().copied(), Quantity::Station);
-        let message = format!("the table has no row at the station {station}");
-        return Err(of_key("station", message, format!("it has {told}")));
+        let before = kept.len();
+        kept.extend(group.iter().filter(|(x, _)| same(*x, wanted)).map(|(_, row)| *row));
+        if kept.len() == before {
+            let message = format!("load case `{case}` has no row at the station {station}");
+            let told = names(group.iter().map(|(_, row)| *row), Quantity::Station);
+            return Err(of_key("station", message, format!("it has {told}")));
+        }
     }
+    kept.sort_by_key(|r| r.line);
     Ok(kept)
+}
+
+/// The fault of a row; its file is that of the table.
+fn of_row(row: &ForceRow, message: String, help: &str) -> Diagnostics {
+    let mut d = Diagnostic::input("loads/table", message).help(help);
+    d.place.line = Some(row.line);
+    d.into()
+}
+
+/// Refuses a pattern of a limit state that no load case has, and a load case of two states.
+fn check_states(rows: &[ForceRow], table: &LoadTable) -> Result<(), Diagnostics> {
+    let names = || rows.iter().filter_map(|r| r.text(Quantity::Case));
+    for (state, patterns) in &table.state {
+        for pattern in patterns {
+            if !names().any(|name| matches(pattern, name)) {
+                let message = format!("no load case of the table is `{pattern}`");
+                let help = "`*` stands for any letters, and case counts";
+                return Err(of_key(&format!("state.{}", state.word()), message, help));
+            }
+        }
+    }
+    let fits = |name: &str| {
+        let of = |patterns: &&Vec<String>| patterns.iter().any(|p| matches(p, name));
+        table.state.values().filter(of).count()
+    };
+    if let Some(name) = names().find(|name| fits(name) > 1) {
+        let message = format!("load case `{name}` is of two limit states");
+        return Err(of_key("state", message, "let each name fit one of them"));
+    }
+    Ok(())
 }
 
 /// The load of a row; the error holds a header, what is wrong, and what to do.

@@ -5,7 +5,7 @@ use serde::{Deserialize, Deserializer, de};
 use std::fmt;
 
 /// A text, or a number as the text that it is written with.
-struct Word(String);
+pub(super) struct Word(pub(super) String);
 
 impl<'de> Deserialize<'de> for Word {
     fn deserialize<D: Deserializer<'de>>(d: D) -> Result<Self, D::Error> {

@@ -54,7 +54,7 @@ fn rows_of_a_section() {
     assert_eq!((place.line, place.file.map(|f| f.ends_with("forces.csv"))), (Some(4), Some(true)));
     let end = expanded(RFEM, &of.replace("start", "end"));
     assert_eq!(told(&end.value.loads[0]), ("CO1", vec![5.5e3, -22.5e3, 31e6]));
-    let at = expanded(RFEM, &of.replace("start", "6, flip: true"));
+    let at = expanded(RFEM, &of.replace("start", "6.0, flip: true"));
     assert_eq!(told(&at.value.loads[0]), told(&end.value.loads[0]));
     let node = expanded(RFEM, &of.replace("station: start", "node: 4, flip: true"));
     assert_eq!(told(&node.value.loads[0]), told(&end.value.loads[0]));
@@ -97,22 +97,23 @@ fn a_stored_table_is_the_same() {
 fn what_is_wrong_with_the_choice_of_rows() {
     let base = "{table: forces.csv, mapping: rfem, end: beam_right, at: node";
     for (rest, why, help, path) in [
-        ("", "rows of several members", "`12`, `13`", Some("loads.table")),
-        (", member: 14", "no member `14`", "`12`, `13`", Some("loads.member")),
-        (", member: 12, node: 9", "no node `9`", "`3`, `4`", Some("loads.node")),
+        ("", "at which end of the member", "`flip: true`", Some("loads.flip")),
+        (", flip: true", "rows of several members", "`12`, `13`", Some("loads.table")),
+        (", flip: true, member: 14", "no member `14`", "`12`, `13`", Some("loads.member")),
+        (", flip: true, member: 12, node: 9", "no node `9`", "`3`, `4`", Some("loads.node")),
         (
-            ", member: 12, station: 2.5",
-            "no row at the station 2.5",
+            ", flip: true, member: 12, station: 2.5",
+            "`CO1` has no row at the station 2.5",
             "`0,00`",
             Some("loads.station"),
         ),
         (
-            ", member: 12, cases: LC1",
+            ", flip: true, member: 12, cases: LC1",
             "no load case of the table is `LC1`",
             "`*`",
             Some("loads.cases"),
         ),
-        (", member: 12", "stands in the lines 2 and 3", "`member`, `station`", None),
+        (", flip: true, member: 12", "stands in the lines 2 and 3", "`member`, `station`", None),
     ] {
         let d = refused(RFEM, &format!("{base}{rest}}}"));
         assert!(d.message.contains(why), "{rest}: {d:#?}");
@@ -120,6 +121,19 @@ fn what_is_wrong_with_the_choice_of_rows() {
         assert_eq!(d.place.path.as_deref(), path, "{rest}: {d:#?}");
         assert!(d.place.line.is_some(), "{rest}: {d:#?}");
     }
+    for (rest, why) in [
+        (", state: {SLS: \"S*\", ULS: \"*\"}", "`SLS1` is of two limit states"),
+        (", state: {SLS: GZG}", "no load case of the table is `GZG`"),
+    ] {
+        let d = refused(RFEM, &format!("{base}, member: 12, station: end{rest}}}"));
+        assert!(d.message.contains(why) && d.help.is_some(), "{rest}: {d:#?}");
+    }
+    let late = RFEM.replace("12;3;0,00;CO2;", "12;3;0,50;CO2;");
+    let d = refused(&late, &format!("{base}, member: 12, station: start}}"));
+    assert!(d.message.contains("`CO2` has its start at another station"), "{d:#?}");
+    let merged = RFEM.replace("12;4;6,00;CO2", ";4;6,00;CO2");
+    let d = refused(&merged, &format!("{base}, member: 12, station: start}}"));
+    assert!(d.message.contains("the row has no member") && d.place.line == Some(5), "{d:#?}");
     let loads = "{table: forces.csv}";
     for (text, why) in [
         ("case,N [kN],at\nA,1,top\n", "`top` is no point"),
