@@ -147,7 +147,7 @@ mod tests {
         assert!(cells("").is_empty() && cells(",,\n,,\n").is_empty());
     }
 
-    /// Lists between commas hold semicolons, and `sep=` tells the separator whatever the cells hold.
+    /// Lists between commas hold semicolons; `sep=` tells the separator whatever the cells hold.
     #[test]
     fn other_separators_within_cells() {
         let rows = "name,bolts.rows\nA,[-105; 105]\n\"B;C\",[1; 2]\n";
