@@ -34,7 +34,7 @@ fn forces(cases: usize) -> (String, Vec<[f64; 3]>) {
         let of = [random(-30.0, 30.0), random(5.0, 60.0), random(-24.0, 5.0)].map(|v| scale * v);
         let [n, v, m] = of;
         for (node, x) in [(3, 0.0), (9, 6.0)] {
-            let name = if k % 50 == 49 { format!("CO{k}S") } else { format!("CO{k}") };
+            let name = if k % 50 == 2 { format!("CO{k}S") } else { format!("CO{k}") };
             let _ = writeln!(
                 text,
                 "12;{node};{};{name};{};{};{};{};{};{}",

@@ -178,11 +178,12 @@ fn of_cases<'a>(
     rows: Vec<&'a ForceRow>,
     table: &LoadTable,
 ) -> Result<Vec<&'a ForceRow>, Diagnostics> {
+    if let Some(row) = rows.iter().find(|r| r.text(Quantity::Case).is_none()) {
+        let help = "give every row a name, or name the column with `columns: {case: …}`";
+        return Err(of_row(row, "the row has no name of a load case".into(), help));
+    }
     if table.cases.is_empty() {
         return Ok(rows);
-    }
-    if let Some(row) = rows.iter().find(|r| r.text(Quantity::Case).is_none()) {
-        return Err(of_row(row, "the row has no name of a load case".into(), "fill the cell"));
     }
     for pattern in &table.cases {
         if !rows.iter().any(|r| r.text(Quantity::Case).is_some_and(|c| matches(pattern, c))) {
@@ -283,10 +284,7 @@ fn load(
     table: &LoadTable,
     given: [bool; 6],
 ) -> Result<LoadSpec, (&'static str, String, &'static str)> {
-    let Some(name) = row.text(Quantity::Case) else {
-        let help = "give every row a name, or name the column with `columns: {case: …}`";
-        return Err(("case", "the row has no name of a load case".into(), help));
-    };
+    let name = row.text(Quantity::Case).unwrap_or_default();
     let end = row.text(Quantity::End).or(table.end.as_deref()).map(str::to_owned);
     let at = match row.text(Quantity::At) {
         None => table.at,
