@@ -127,6 +127,7 @@ fn a_result_keeps_its_load_cases() {
     expect(&bench, &["check", "joint.yaml", "--out", "r"], 0);
     assert!(bench.read("r/input/loads.csv").starts_with("case,state,end,at,N [N]"));
     std::fs::remove_file(bench.path().join("forces.csv")).expect("removed");
+    #[cfg(feature = "pdf")]
     expect(&bench, &["report", "r", "--full", "--out", "full.pdf"], 0);
     let hash = result(&bench, "r")["input_hash"].clone();
     let bench = bench.file("forces.csv", other);

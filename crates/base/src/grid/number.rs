@@ -15,23 +15,19 @@ pub fn decimal_sign<'a>(cells: impl Iterator<Item = &'a str> + Clone) -> Result<
     for cell in cells {
         let number = digits_of(cell);
         let count = SIGNS.map(|s| number.matches(s).count());
-        let index = |sign: usize, open: bool, told: &mut [_; 2], untold: &mut [_; 2]| {
-            let place: &mut Option<&str> = if open { &mut untold[sign] } else { &mut told[sign] };
-            place.get_or_insert(cell);
+        // the sign by this number, and whether it may separate thousands
+        let (sign, open) = match count {
+            [0, 0] => {
+                whole |= number.bytes().any(|b| (b'1'..=b'9').contains(&b));
+                continue;
+            }
+            [1, 0] | [0, 1] => (count[1], may_group(number, SIGNS[count[1]])),
+            [_, 0] => (1, false),
+            [0, _] => (0, false),
+            _ => (usize::from(number.rfind(SIGNS[1]) > number.rfind(SIGNS[0])), false),
         };
-        match count {
-            [0, 0] => whole |= number.bytes().any(|b| (b'1'..=b'9').contains(&b)),
-            [1, 0] | [0, 1] => {
-                let sign = count[1];
-                index(sign, may_group(number, SIGNS[sign]), &mut told, &mut untold);
-            }
-            [_, 0] => index(1, false, &mut told, &mut untold),
-            [0, _] => index(0, false, &mut told, &mut untold),
-            _ => {
-                let last = number.rfind(SIGNS).map(|i| number[i..].starts_with(SIGNS[1]));
-                index(usize::from(last == Some(true)), false, &mut told, &mut untold);
-            }
-        }
+        let seen = if open { &mut untold } else { &mut told };
+        seen[sign].get_or_insert(cell);
     }
     let pair = |a: &str, b: &str| Err([a.to_string(), b.to_string()]);
     match (told, untold) {

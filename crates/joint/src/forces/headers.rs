@@ -3,7 +3,7 @@
 use super::program::{Heading, Program, Quantity};
 use bracket_base::diag::did_you_mean;
 use bracket_base::grid::Row;
-use bracket_base::units::{Dim, unit};
+use bracket_base::units::unit;
 use std::collections::BTreeMap;
 
 /// Rows in which the header is looked for: programs write titles above a table.
@@ -77,10 +77,7 @@ fn same(a: &str, b: &str) -> bool {
 
 /// The factor of a unit of an action to N or N mm; programs write `KN-m`, `kN.m` and `kNm`.
 fn factor(text: &str, quantity: Quantity) -> Option<f64> {
-    let dim = match quantity {
-        Quantity::N | Quantity::Vy | Quantity::Vz => Dim::FORCE,
-        _ => Dim::MOMENT,
-    };
+    let dim = quantity.kind().dim();
     let spaced = text.replace(['-', '.', '_'], " ");
     let known = |t: &str| unit(t).filter(|(_, d)| *d == dim).map(|(f, _)| f);
     let usual = || {
@@ -197,7 +194,8 @@ fn matching<'a>(
     for name in heading.names {
         for (i, cell) in cells() {
             let (header, unit) = split(cell);
-            if if exact { header == *name } else { same(&header, name) } {
+            let named = if exact { header == *name } else { same(&header, name) };
+            if named {
                 found.push((i, None, heading.sign, [unit, None]));
             } else if joined && header.contains('/') {
                 let part = header.split('/').position(|p| same(p, name));
@@ -262,7 +260,7 @@ fn of_quantity(
     }
     let Some(unit) = told.first() else {
         let message = format!("the column `{}` has no unit", header(m));
-        let usual = if quantity.word().starts_with(['N', 'V']) { "kN" } else { "kN m" };
+        let usual = quantity.kind().usual();
         let help = format!(
             "write it into the header, `{} [{usual}]`, or into the spec: `columns: {{{}: \"{} \
              [{usual}]\"}}`",
@@ -273,9 +271,9 @@ fn of_quantity(
         return Err(fault(message, help));
     };
     let Some(factor) = factor(unit, quantity) else {
-        let kind = if quantity.word().starts_with(['N', 'V']) { "force" } else { "moment" };
-        let message = format!("column `{}`: `{unit}` is no unit of a {kind}", header(m));
-        return Err(fault(message, "units are N, kN, MN, kip and N mm, kN m, kip ft".into()));
+        let kind = quantity.kind();
+        let message = format!("column `{}`: `{unit}` is no unit of a {}", header(m), kind.word());
+        return Err(fault(message, format!("units are {}", kind.accepted())));
     };
     Ok(vec![column(m, factor)])
 }

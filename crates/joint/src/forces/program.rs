@@ -6,6 +6,7 @@
 //! −x, and the force on the section is the opposite one:
 //! `N, Vy, −Vz, T, My, −Mz`.
 
+use bracket_base::units::Kind;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -98,6 +99,14 @@ impl Quantity {
         Self::ACTIONS.iter().position(|a| *a == self)
     }
 
+    /// Kind of an action: a force or a moment.
+    pub fn kind(self) -> Kind {
+        match self {
+            Self::N | Self::Vy | Self::Vz => Kind::Force,
+            _ => Kind::Moment,
+        }
+    }
+
     /// Its key in `columns`.
     pub fn word(self) -> &'static str {
         match self {
@@ -169,35 +178,30 @@ const SAF: &[Heading] = &[
     h(Mz, -1.0, &["Mz"]),
 ];
 
-/// SAP2000. Forces on a positive face point along the axes 1, 2, 3; moments are positive with
-/// compression at the positive 2 and 3 faces (CSI Analysis Reference). 2 is up, so that z′ is 2 and
-/// y′ is −3.
-const SAP2000: &[Heading] = &[
-    h(Case, 1.0, &["OutputCase", "Output Case"]),
-    h(Member, 1.0, &["Frame"]),
-    h(Station, 1.0, &["Station"]),
-    h(Step, 1.0, &["StepType", "Step Type"]),
-    h(N, 1.0, &["P"]),
-    h(Vy, -1.0, &["V3"]),
-    h(Vz, 1.0, &["V2"]),
-    h(T, 1.0, &["T"]),
-    h(My, -1.0, &["M3"]),
-    h(Mz, -1.0, &["M2"]),
-];
+/// The programs of CSI. Forces on a positive face point along the axes 1, 2, 3; moments are
+/// positive with compression at the positive 2 and 3 faces (CSI Analysis Reference). 2 is up, so
+/// that z′ is 2 and y′ is −3.
+const fn csi(cases: &'static [&'static str], members: &'static [&'static str]) -> [Heading; 10] {
+    [
+        h(Case, 1.0, cases),
+        h(Member, 1.0, members),
+        h(Station, 1.0, &["Station"]),
+        h(Step, 1.0, &["StepType", "Step Type"]),
+        h(N, 1.0, &["P"]),
+        h(Vy, -1.0, &["V3"]),
+        h(Vz, 1.0, &["V2"]),
+        h(T, 1.0, &["T"]),
+        h(My, -1.0, &["M3"]),
+        h(Mz, -1.0, &["M2"]),
+    ]
+}
 
-/// ETABS: axes and signs of SAP2000.
-const ETABS: &[Heading] = &[
-    h(Case, 1.0, &["Output Case", "OutputCase", "Load Case/Combo"]),
-    h(Member, 1.0, &["Unique Name", "UniqueName"]),
-    h(Station, 1.0, &["Station"]),
-    h(Step, 1.0, &["Step Type", "StepType"]),
-    h(N, 1.0, &["P"]),
-    h(Vy, -1.0, &["V3"]),
-    h(Vz, 1.0, &["V2"]),
-    h(T, 1.0, &["T"]),
-    h(My, -1.0, &["M3"]),
-    h(Mz, -1.0, &["M2"]),
-];
+/// SAP2000.
+const SAP2000: &[Heading] = &csi(&["OutputCase", "Output Case"], &["Frame"]);
+
+/// ETABS.
+const ETABS: &[Heading] =
+    &csi(&["Output Case", "OutputCase", "Load Case/Combo"], &["Unique Name", "UniqueName"]);
 
 /// Robot. A force has the sign of the nodal force at the beginning of the bar that has the same
 /// effect: compression is positive, `MY` with tension on the negative side of z, `MZ` with tension
