@@ -114,6 +114,7 @@ pub fn judged(
             let pairs = analysed.iter().zip(each);
             let case = |(a, judgement): (&Analysed, Judgement)| JudgedCase {
                 case: a.case.clone(),
+                by_bounds: a.utilisation,
                 judgement,
             };
             result.load_cases = pairs.map(case).collect();

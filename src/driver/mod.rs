@@ -9,6 +9,7 @@ pub mod case;
 pub mod case_files;
 pub mod check_spec;
 pub mod collapse_pictures;
+pub mod combinations;
 pub mod context;
 pub mod demands;
 pub mod input_hash;

@@ -3,14 +3,20 @@
 use crate::driver::case::Case;
 use crate::driver::passes::Kept;
 use bracket_engine::analysis::dispatch::AnalysisPass;
-use bracket_engine::certify::UpperFactor;
-use bracket_engine::certify::half_plane::Axes;
-use bracket_engine::certify::half_plane::half_plane;
+use bracket_engine::certify::half_space::{Axes, HalfSpace, live_actions};
+use bracket_engine::certify::{UpperFactor, VelocityField};
 use bracket_joint::spec::polygon::PolygonSpec;
 use bracket_report::result::demand::ActionValue;
 use bracket_report::result::polygon::{Axis, CapacityPolygon, Point};
 use bracket_report::result::result_file::CaseResult;
 use bracket_report::result::result_file::Upper;
+
+/// The mechanism of the upper bound of a load factor, and the bound that it proves.
+pub fn mechanism(best: &Kept) -> Option<(&VelocityField, UpperFactor)> {
+    let AnalysisPass::Factor(pass) = &best.outcome else { return None };
+    let free = pass.free.as_ref().map(|f| (&f.field, UpperFactor::new(f.certificate.clone())));
+    pass.velocity.as_ref().zip(pass.upper.clone()).or(free)
+}
 
 /// A polygon whose directions are being analysed.
 pub struct Directions {
@@ -24,7 +30,7 @@ impl Directions {
     pub fn among(cases: &[Case], spec: Option<&PolygonSpec>) -> Option<Self> {
         let actions = |along: [f64; 2]| {
             let case = cases.iter().find(|c| c.direction == Some(along))?;
-            Some(case.model.rigid.iter().map(|r| r.action).collect())
+            Some(live_actions(&case.model))
         };
         // both axes are among the directions
         Some(Self {
@@ -37,12 +43,9 @@ impl Directions {
     /// Adds the bounds of a direction.
     pub fn add(&mut self, direction: [f64; 2], entry: &CaseResult, best: &Kept) {
         let (lower, upper) = entry.safe_bounds();
-        let AnalysisPass::Factor(pass) = &best.outcome else { return };
-        let free = pass.free.as_ref().map(|f| (&f.field, UpperFactor::new(f.certificate.clone())));
-        let mechanism = pass.velocity.as_ref().zip(pass.upper.clone()).or(free);
-        let bound = mechanism.filter(|_| matches!(entry.upper, Some(Upper::Finite(_))));
-        let half_plane =
-            bound.and_then(|(v, bound)| half_plane(&best.model, v, &bound, &self.axes, direction));
+        let bound = mechanism(best).filter(|_| matches!(entry.upper, Some(Upper::Finite(_))));
+        let half_space = bound.and_then(|(v, bound)| HalfSpace::new(&best.model, v, &bound));
+        let half_plane = half_space.and_then(|h| h.half_plane(&self.axes, direction));
         self.points.push(Point { case: entry.name.clone(), direction, lower, upper, half_plane });
     }
 

@@ -87,7 +87,8 @@ pub struct ByMap<'a> {
     joint: &'a Joint,
     options: MeshOptions,
     asked: Asked,
-    coulomb_estimate: bool,
+    /// The model file of the case on its first mesh.
+    first: ModelFile,
     place: Places<'a>,
     mesh: TetMesh,
     edges: Edges,
@@ -97,30 +98,17 @@ pub struct ByMap<'a> {
 }
 
 impl<'a> ByMap<'a> {
-    /// Starts from the first mesh, which was made with these options.
+    /// Starts from the first mesh, which was made with these options; `asked` and `first`: the case
+    /// and its model file on that mesh.
     pub fn new(
         joint: &'a Joint,
         options: MeshOptions,
-        asked: Asked,
+        (asked, first): (Asked, ModelFile),
         place: Places<'a>,
         mesh: TetMesh,
     ) -> Self {
         let edges = Edges::new(&mesh);
-        Self {
-            joint,
-            options,
-            asked,
-            coulomb_estimate: false,
-            place,
-            mesh,
-            edges,
-            filling: FILLING,
-        }
-    }
-
-    /// Requests the estimate of the load factor under Coulomb's law on every mesh, if `asked`.
-    pub fn estimating(self, asked: bool) -> Self {
-        Self { coulomb_estimate: asked, ..self }
+        Self { joint, options, asked, first, place, mesh, edges, filling: FILLING }
     }
 }
 
@@ -167,7 +155,9 @@ impl<'a> Remesh<'a> for ByMap<'a> {
             &self.asked,
         );
         file.symmetry = meshed.copies;
-        file.coulomb_estimate = self.coulomb_estimate;
+        // what acts may be no load case of the joint, and depends on no mesh
+        file.rigid.clone_from(&self.first.rigid);
+        file.coulomb_estimate = self.first.coulomb_estimate;
         let model = resolve(&file, meshed.mesh.clone(), self.place)?;
         self.edges = Edges::new(&meshed.mesh);
         self.mesh = meshed.mesh.clone();

@@ -107,7 +107,7 @@ pub fn refused(solved: &[CaseResult], (name, kind): &(String, AnalysisKind)) -> 
 /// Adds to the entry of a case what its fields show: a warning if a program did not fit into the
 /// memory, preloads of halved bolts, the forces of the static field, and the numbers of the route
 /// of analysis. Returns the buckling modes.
-fn complete(adapted: &mut Adapted, setup: &RunSetup, log: &Log) -> Vec<DisplacementField> {
+pub fn complete(adapted: &mut Adapted, setup: &RunSetup, log: &Log) -> Vec<DisplacementField> {
     let RunSetup { mirror, bolts, .. } = setup;
     let Adapted { entry, upper, lower, .. } = adapted;
     if upper.outcome.runs().iter().any(|(_, run)| run.refusal.is_some()) {
@@ -158,7 +158,7 @@ fn sides<'a>(upper: &'a Kept, lower: &'a Kept) -> Option<[Side<'a>; 2]> {
 }
 
 /// The warning about the analyses that ended without any bound.
-fn without_bounds(cases: &[CaseResult]) -> Option<Text> {
+pub fn without_bounds(cases: &[CaseResult]) -> Option<Text> {
     let bare = cases.iter().filter(|c| c.lower.is_none() && c.upper.is_none());
     let named = bare.map(|c| {
         let kind = c.analysis.word();
@@ -172,7 +172,7 @@ fn without_bounds(cases: &[CaseResult]) -> Option<Text> {
 }
 
 /// Adds the traits and notes of a model to those of the run.
-fn note_traits(model: &AnalysisModel, models: &mut Models) {
+pub fn note_traits(model: &AnalysisModel, models: &mut Models) {
     let contacts = contact_faces(model);
     let traits = &mut models.traits;
     traits.contact |= !contacts.is_empty();

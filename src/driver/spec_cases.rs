@@ -2,11 +2,13 @@
 
 use crate::driver::by_metric::{ByMetric, Tools};
 use crate::driver::case::Case;
+use crate::driver::combinations::with_actions;
 use crate::driver::interrupt::Interrupt;
 use crate::driver::remesh::{ByMap, Places, Remesh, remesher};
 use crate::driver::spec_file::SpecFile;
 use bracket_base::diag::Diagnostics;
 use bracket_codes::design_code::design_strengths;
+use bracket_engine::certify::half_space::Actions;
 use bracket_engine::mesh::TetMesh;
 use bracket_engine::model::AnalysisKind;
 use bracket_engine::model::file::ModelFile;
@@ -28,6 +30,8 @@ pub struct AskedCase {
     pub again: bool,
     /// For a direction of the polygon: both actions in the units of its axes.
     pub direction: Option<[f64; 2]>,
+    /// For actions of no load case: the load case whose model they act on, and the actions.
+    pub like: Option<(String, Actions)>,
 }
 
 /// A load case of a spec under a kind of analysis.
@@ -53,6 +57,7 @@ pub fn asked_cases(
             of: asked(input, name, kind),
             again: k > 0,
             direction: None,
+            like: None,
         };
         kinds.iter().enumerate().map(of_kind).collect::<Vec<_>>()
     };
@@ -61,11 +66,18 @@ pub fn asked_cases(
         of: Asked::new(d.case, AnalysisKind::Limit),
         again: false,
         direction: Some(d.unit),
+        like: None,
     });
     names.iter().filter(|n| !of_polygon(n)).flat_map(of_name).chain(directions).collect()
 }
 
 impl AskedCase {
+    /// Limit analysis of a load case, or of actions under a name.
+    pub fn limit(input: &SpecFile, name: &str) -> Self {
+        let of = asked(input, name, AnalysisKind::Limit);
+        Self { of, again: false, direction: None, like: None }
+    }
+
     /// The model on a mesh of the joint that uses these symmetry planes.
     pub fn model_file(
         &self,
@@ -73,14 +85,22 @@ impl AskedCase {
         mesh: &TetMesh,
         symmetry_used: &[SymmetryPlane],
     ) -> ModelFile {
+        let mut of = self.of.clone();
+        if let Some((like, _)) = &self.like {
+            of.case.clone_from(like);
+        }
         let file = model_file::model_file(
             &input.joint.assembly,
             &design_strengths(&input.joint),
             mesh,
             symmetry_used,
             "mesh.msh",
-            &self.of,
+            &of,
         );
+        let file = match &self.like {
+            Some((_, actions)) => with_actions(&file, actions),
+            None => file,
+        };
         let estimates = input.spec.value.analysis.coulomb_estimate && self.direction.is_none();
         ModelFile { coulomb_estimate: estimates && self.of.kind == AnalysisKind::Limit, ..file }
     }
@@ -99,26 +119,37 @@ pub fn cases<'a>(
     let cases = asked.map(|(i, asked)| {
         interrupt.check("reading the cases")?;
         let file = asked.model_file(input, &meshed.mesh, &meshed.symmetry_used);
-        let model = resolve(&file, meshed.mesh.clone(), &|path| input.spec.index.place(path))?;
-        let file_name = if i == 0 {
-            "model.yaml".into()
-        } else {
-            format!("model_{}.yaml", stem_of(&asked.of.case, asked.of.kind, asked.again))
-        };
-        Ok(Case {
-            name: asked.of.case,
-            model,
-            model_file: (file_name, file),
-            remesh: None,
-            mesh_seconds: Some(mesh_seconds),
-            direction: asked.direction,
-        })
+        case(input, meshed, (asked, file), i == 0, mesh_seconds)
     });
     let mut cases = cases.collect::<Result<Vec<Case>, Diagnostics>>()?;
     if let Some((first, others)) = cases.split_first_mut() {
         others.iter_mut().for_each(|c| c.model.share_mesh(&first.model));
     }
     Ok(cases)
+}
+
+/// A case on the first mesh with its model file. The first case of a run writes `model.yaml`.
+pub fn case<'a>(
+    input: &SpecFile,
+    meshed: &JointMesh,
+    (asked, file): (AskedCase, ModelFile),
+    first: bool,
+    mesh_seconds: f64,
+) -> Result<Case<'a>, Diagnostics> {
+    let model = resolve(&file, meshed.mesh.clone(), &|path| input.spec.index.place(path))?;
+    let Asked { case: name, kind, .. } = asked.of;
+    let file_name = match first {
+        true => "model.yaml".into(),
+        false => format!("model_{}.yaml", stem_of(&name, kind, asked.again)),
+    };
+    Ok(Case {
+        name,
+        model,
+        model_file: (file_name, file),
+        remesh: None,
+        mesh_seconds: Some(mesh_seconds),
+        direction: asked.direction,
+    })
 }
 
 /// What makes further meshes where Mmg is absent or fails.
@@ -140,11 +171,11 @@ pub fn give_remesh<'a>(
     let remesher = any.then(|| remesher(BY_MAP, interrupt, log)).flatten();
     for case in cases.iter_mut().filter(|c| c.direction.is_none()) {
         let asked = asked(input, &case.name, case.model.analysis);
-        let (options, estimates) = (options.clone(), case.model.coulomb_estimate);
+        let (options, of) = (options.clone(), (asked, case.model_file.1.clone()));
         let dir = options.work_dir.clone();
         let by_map = move |mesh: TetMesh| {
-            let by_map = ByMap::new(&input.joint, options.clone(), asked.clone(), place, mesh);
-            Box::new(by_map.estimating(estimates)) as Box<dyn Remesh<'a> + 'a>
+            let by_map = ByMap::new(&input.joint, options.clone(), of.clone(), place, mesh);
+            Box::new(by_map) as Box<dyn Remesh<'a> + 'a>
         };
         let by_metric = remesher.clone().filter(|_| metric(case.model.analysis));
         case.remesh = Some(match by_metric {

@@ -9,6 +9,8 @@ use bracket_engine::model::AnalysisKind;
 use bracket_joint::assembly::template_file::{Templates, stored_name};
 use bracket_joint::assembly::{Joint, LoadedTemplate};
 use bracket_joint::catalog::{Catalog, CatalogError};
+use bracket_joint::model_file;
+use bracket_joint::spec::analysis::Combinations;
 use bracket_joint::spec::connection::ConnectionSpec;
 use bracket_joint::spec::polygon::PolygonFault;
 use bracket_joint::spec::table_loads::{expand, written};
@@ -32,6 +34,9 @@ pub struct SpecFile {
     /// Whether the run makes what a verdict by analysis needs, and no more.
     pub decide: bool,
 }
+
+/// Load cases up to which limit analysis is run for each by default.
+const EACH: usize = 12;
 
 /// Folder inside a result folder with the templates and tables of the user, so that `verify` can
 /// read the spec there.
@@ -59,6 +64,22 @@ impl SpecFile {
     /// Whether the bolts of this kind of analysis stay elastic although plates yield.
     pub fn elastic_bolts(&self, kind: AnalysisKind) -> bool {
         self.spec.value.analysis.elastic_bolts(kind, self.decide)
+    }
+
+    /// Whether limit analysis is run for as few load cases as bound all of them. Other kinds of
+    /// analysis, a polygon and estimates under Coulomb's law need each case itself.
+    pub fn covers(&self, kinds: &[AnalysisKind]) -> bool {
+        let spec = &self.spec.value;
+        let possible = *kinds == [AnalysisKind::Limit]
+            && spec.polygon.is_none()
+            && !spec.analysis.coulomb_estimate;
+        let many = model_file::cases(&self.joint.assembly).len() > EACH;
+        possible
+            && match spec.analysis.combinations {
+                Some(Combinations::Covered) => true,
+                Some(Combinations::Each) => false,
+                None => many,
+            }
     }
 
     /// Writes the user's own templates and tables into a result folder.

@@ -1,17 +1,19 @@
 //! The analysis of a connection spec: geometry, mesh, cases, verdict.
 
-use crate::driver::case::not_analysed;
+use crate::driver::case::{Case, not_analysed};
 use crate::driver::check_spec::{report_detailing, unanalysed};
+use crate::driver::combinations::{Wanted, solve_combinations};
 use crate::driver::demands::demands;
 use crate::driver::input_hash::spec_hash;
 use crate::driver::judge::{Judged, by_code};
 use crate::driver::limits::{Limits, WHEN_INTERRUPTED};
 use crate::driver::meshing::{clean, find_mesher, mesh, mesh_options};
 use crate::driver::overrides::Overrides;
+use crate::driver::remesh::Places;
 use crate::driver::setup::{Refinement, RunSetup};
 use crate::driver::solve::solve;
 use crate::driver::solved::{NoFiles, RunSink, Solved};
-use crate::driver::spec_cases::{asked_cases, cases, give_remesh};
+use crate::driver::spec_cases::{AskedCase, asked_cases, case, cases, give_remesh};
 use crate::driver::spec_checks::{analysis_kinds, check_input};
 use crate::driver::spec_context::spec_checks;
 use crate::driver::spec_file::{SpecFile, catalog_warning};
@@ -23,6 +25,7 @@ use bracket_codes::route::RouteFacts;
 use bracket_codes::verdict::Verdict;
 use bracket_engine::mesh::gmsh::Mesher;
 use bracket_engine::model::AnalysisKind;
+use bracket_engine::model::file::ModelFile;
 use bracket_engine::refine::plan;
 use bracket_joint::geometry::Scene;
 use bracket_joint::meshing::joint::{JointMesh, MeshOptions};
@@ -220,20 +223,70 @@ impl<'s> SpecRun<'s> {
         log: &Arc<Log>,
     ) -> Result<Solved, Diagnostics> {
         let (input, limits, kinds) = (&self.input, &self.limits, &self.kinds);
-        let (asked, polygon) = (&input.spec.value.analysis, self.polygon());
         let place = |path: &str| input.spec.index.place(path);
-        let mut cases = cases(input, meshed, kinds, polygon, mesh_seconds, &limits.interrupt)?;
-        let max_passes = self.overrides.max_passes.unwrap_or(asked.max_passes);
-        if max_passes > 1 {
-            give_remesh(&mut cases, input, options, meshed, &place, (&limits.interrupt, log));
+        if input.covers(kinds) {
+            let asked = asked_cases(input, kinds, None);
+            let file = |a: &AskedCase| a.model_file(input, &meshed.mesh, &meshed.symmetry_used);
+            let by_code = |case: &str| {
+                let of = self.checks.checks.iter().filter(|c| c.case.as_deref() == Some(case));
+                of.filter_map(|c| c.utilisation).fold(0.0, f64::max)
+            };
+            let wanted: Vec<Wanted> = asked
+                .iter()
+                .map(|a| Wanted {
+                    name: a.of.case.clone(),
+                    file: file(a),
+                    by_code: by_code(&a.of.case),
+                })
+                .collect();
+            limits.interrupt.check("meshing")?;
+            let setup = self.setup(meshed, wanted.iter().map(|w| &w.file))?;
+            let make = |name: &str, file: ModelFile, first: bool| {
+                let asked = AskedCase::limit(input, name);
+                let mut cases = [case(input, meshed, (asked, file), first, mesh_seconds)?];
+                self.give_remesh(&mut cases, (meshed, options), &place, log);
+                let [case] = cases;
+                Ok(case)
+            };
+            return solve_combinations(&wanted, &make, &setup, (limits, log), sink);
         }
+        let polygon = self.polygon();
+        let mut cases = cases(input, meshed, kinds, polygon, mesh_seconds, &limits.interrupt)?;
+        self.give_remesh(&mut cases, (meshed, options), &place, log);
         limits.interrupt.check("meshing")?;
-        let models = cases
-            .iter()
-            .map(|c| yaml::to_string(&c.model_file.1))
-            .collect::<Result<Vec<_>, _>>()?;
-        let setup = RunSetup {
-            input_hash: spec_hash(input, kinds, self.overrides.extent, &models),
+        let setup = self.setup(meshed, cases.iter().map(|c| &c.model_file.1))?;
+        solve(cases, &setup, limits, sink, log)
+    }
+
+    /// Lets the cases make further meshes, if the run may have some.
+    fn give_remesh<'a>(
+        &'a self,
+        cases: &mut [Case<'a>],
+        (meshed, options): (&JointMesh, &MeshOptions),
+        place: Places<'a>,
+        log: &Log,
+    ) {
+        if self.max_passes() > 1 {
+            let interrupt = &self.limits.interrupt;
+            give_remesh(cases, &self.input, options, meshed, place, (interrupt, log));
+        }
+    }
+
+    /// Meshes of a case at most.
+    fn max_passes(&self) -> u32 {
+        self.overrides.max_passes.unwrap_or(self.input.spec.value.analysis.max_passes)
+    }
+
+    /// What the cases with these model files on the first mesh share.
+    fn setup<'f>(
+        &self,
+        meshed: &JointMesh,
+        files: impl Iterator<Item = &'f ModelFile>,
+    ) -> Result<RunSetup, Diagnostics> {
+        let (input, asked) = (&self.input, &self.input.spec.value.analysis);
+        let models = files.map(yaml::to_string).collect::<Result<Vec<_>, _>>()?;
+        Ok(RunSetup {
+            input_hash: spec_hash(input, &self.kinds, self.overrides.extent, &models),
             warnings: self.checks.notes.clone(),
             mirror: meshed.symmetry_used.iter().map(|p| p.axis).collect(),
             bolts: input.joint.bolts.clone(),
@@ -242,19 +295,18 @@ impl<'s> SpecRun<'s> {
                 .then(|| EvidencePlan::new(&input.joint, &meshed.symmetry_used)),
             load_steps: asked.load_steps.clone(),
             decide: input.decide,
-            polygon: polygon.cloned(),
+            polygon: self.polygon().cloned(),
             refinement: Refinement {
                 adapt: Some(plan::Limits {
                     target_gap: asked.target_gap,
-                    max_passes,
+                    max_passes: self.max_passes(),
                     max_macro_tets: asked.max_macro_tets,
                 }),
                 finer: "a smaller `--size-factor` or `analysis.mesh.size`",
                 coarser: "a coarser mesh (`--size-factor` above 1, or a larger \
                           `analysis.mesh.size`)",
             },
-        };
-        solve(cases, &setup, limits, sink, log)
+        })
     }
 
     /// A run whose time ended before there was a mesh. The checks of the code still have a verdict.

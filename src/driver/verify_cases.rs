@@ -2,6 +2,7 @@
 //! and polygon, and the hash of its input.
 
 use crate::driver::case::not_analysed;
+use crate::driver::combinations::{actions_of, groups};
 use crate::driver::input_hash::{checked_hash, spec_hash};
 use crate::driver::meshing::Extent;
 use crate::driver::overrides::{COMMAND_LINE, KIND, SIZE_FACTOR};
@@ -9,15 +10,20 @@ use crate::driver::solve::refused;
 use crate::driver::spec_cases::{AskedCase, asked_cases};
 use crate::driver::spec_checks::analysis_kinds;
 use crate::driver::spec_file::SpecFile;
-use crate::driver::verify_mesh::Meshes;
+use crate::driver::verify_mesh::{Meshes, mesh_path, model_paths, read_model};
 use bracket_base::diag::Diagnostics;
 use bracket_base::yaml;
+use bracket_engine::certify::half_space::Actions;
+use bracket_engine::mesh::msh;
 use bracket_engine::model::AnalysisKind;
+use bracket_engine::model::file::ModelFile;
 use bracket_joint::geometry::Scene;
 use bracket_joint::spec::polygon::PolygonSpec;
 use bracket_report::markdown::report_data::ReportData;
+use bracket_report::result::case_result::CaseResult;
 use bracket_report::result::demand::ActionValue;
 use bracket_report::result::file_names::entry_stem;
+use bracket_report::result::proved_by::Direction;
 use bracket_report::result::result_file::ResultFile;
 use bracket_report::result::verify::first_difference;
 use serde_json::{Value, json};
@@ -121,8 +127,13 @@ fn of_run(
     // what a run leaves out that asks for a verdict alone
     let decide = spec.decide;
     let of = |c: &&AskedCase| (c.of.case.clone(), c.of.kind);
-    let made: Vec<&AskedCase> =
-        asked.cases.iter().filter(|c| !(decide && refused(&result.cases, &of(c)))).collect();
+    let directions = directions(result, spec);
+    let made: Vec<&AskedCase> = asked
+        .cases
+        .iter()
+        .filter(|c| !(decide && refused(&result.cases, &of(c))))
+        .chain(&directions)
+        .collect();
     let count = result.cases.len().min(made.len());
     let entries: Vec<_> = result.cases.iter().map(|c| (&c.name, c.analysis)).collect();
     let wanted: Vec<_> = made[..count].iter().map(|c| (&c.of.case, c.of.kind)).collect();
@@ -137,10 +148,9 @@ fn of_run(
     }
     out.extend(polygon_differences(result, asked));
     let mut meshes = Meshes::new(&scene);
-    for (i, case) in result.cases.iter().enumerate() {
+    for (i, case) in result.cases.iter().enumerate().filter(|(_, c)| c.proved_by.is_none()) {
         let stem = entry_stem(&result.cases[..i], case);
-        let of_case =
-            asked.cases.iter().find(|c| c.of.case == case.name && c.of.kind == case.analysis);
+        let of_case = made.iter().find(|c| c.of.case == case.name && c.of.kind == case.analysis);
         let Some(of_case) = of_case else { continue };
         match meshes.models_differ(folder, &stem, of_case, spec) {
             Ok(found) => out.extend(found),
@@ -148,6 +158,8 @@ fn of_run(
         }
     }
     if let Some(mesh) = meshes.any() {
+        let model = |c: &AskedCase| c.model_file(spec, mesh, &scene.symmetry);
+        out.extend(proof_differences(result, spec.covers(&asked.kinds), &made, &model));
         let models =
             asked.cases.iter().map(|c| yaml::to_string(&c.model_file(spec, mesh, &scene.symmetry)));
         let models = models.collect::<Result<Vec<_>, _>>()?;
@@ -156,6 +168,61 @@ fn of_run(
         out.extend(first_difference(&json!(result.input_hash), &json!(hash), "input_hash"));
     }
     Ok(out)
+}
+
+/// The directions that a result has analysed beside its load cases.
+fn directions(result: &ResultFile, spec: &SpecFile) -> Vec<AskedCase> {
+    let of = |d: &Direction| AskedCase {
+        like: Some((d.like.clone(), d.actions.clone())),
+        ..AskedCase::limit(spec, &d.name)
+    };
+    result.directions.iter().map(of).collect()
+}
+
+/// Differences of the load cases without an analysis of their own: each must have the model of the
+/// analyses that prove its bounds, but for the actions.
+fn proof_differences(
+    result: &ResultFile,
+    covers: bool,
+    made: &[&AskedCase],
+    model: &dyn Fn(&AskedCase) -> ModelFile,
+) -> Vec<String> {
+    let derived = result.cases.iter().filter_map(|c| Some((c, c.proved_by.as_ref()?)));
+    let of = |name: &String| made.iter().find(|c| c.of.case == *name).map(|c| model(c));
+    let mut out = Vec::new();
+    for (case, proved_by) in derived {
+        if !covers {
+            out.push(format!("{}: the spec asks for its analysis", case.name));
+        }
+        let used = proved_by.lower.iter().map(|w| &w.analysis).chain(&proved_by.upper);
+        for name in used {
+            let pair = of(&case.name).zip(of(name)).map(|(a, b)| groups(&[a, b]).len());
+            if pair != Some(1) {
+                out.push(format!("{}: {name} has another model than it", case.name));
+            }
+        }
+    }
+    out
+}
+
+/// The actions of the load cases whose bounds come from analyses of others.
+pub fn actions_of_cases(
+    folder: &Path,
+    result: &ResultFile,
+    spec: &SpecFile,
+) -> Result<Vec<(String, Actions)>, Diagnostics> {
+    let derived = || result.cases.iter().filter(|c| c.proved_by.is_some());
+    let run = result.cases.iter().position(|c| c.proved_by.is_none());
+    let Some(run) = run.filter(|_| derived().next().is_some()) else { return Ok(Vec::new()) };
+    let stem = entry_stem(&result.cases[..run], &result.cases[run]);
+    let path = model_paths(folder, &stem).swap_remove(0);
+    let mesh = msh::read(&mesh_path(&path, &read_model(&path)?))?;
+    let planes = scene(spec, result).symmetry;
+    let of = |c: &CaseResult| {
+        let file = AskedCase::limit(spec, &c.name).model_file(spec, &mesh, &planes);
+        (c.name.clone(), actions_of(&file))
+    };
+    Ok(derived().map(of).collect())
 }
 
 /// Differences of the polygon's names, axes and directions. Its numbers follow from the fields.

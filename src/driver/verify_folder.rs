@@ -2,7 +2,7 @@
 //! from the input.
 
 use crate::driver::spec_file::{self, SpecFile};
-use crate::driver::verify_cases::{frame_differences, mirror};
+use crate::driver::verify_cases::{actions_of_cases, frame_differences, mirror};
 use crate::driver::verify_mesh::{mesh_path, model_paths, read_model};
 use crate::driver::verify_model::of_model;
 use crate::driver::verify_spec::of_spec;
@@ -95,7 +95,8 @@ pub fn verify_folder(folder: &Path) -> Result<Verified, Diagnostics> {
             let measured = spec.elastic_bolts(AnalysisKind::Elastoplastic);
             let evidence = measured.then(|| EvidencePlan::new(&spec.joint, &planes));
             let load_steps = spec.spec.value.analysis.load_steps.clone();
-            Some(Reference { bolts, mirror, evidence, load_steps })
+            let actions = actions_of_cases(folder, &result, spec)?;
+            Some(Reference { bolts, mirror, evidence, load_steps, actions })
         }
         Input::Lost(_) => None,
     };

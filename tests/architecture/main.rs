@@ -64,7 +64,7 @@ const CONFINED: [(&str, &[&str]); 8] = [
     ("parry3d_f64", &["crates/joint/src/geometry/proximity"]),
     ("clarabel", &["crates/engine/src/solve/"]),
     ("faer", &["crates/engine/src/solve/sparse/dense", "crates/base/src/math/dense"]),
-    ("microlp", &["crates/codes/src/component_method/equilibrium"]),
+    ("microlp", &["crates/codes/src/component_method/equilibrium", "crates/base/src/math/gauge"]),
     ("typst", &["crates/typeset/src/"]),
     ("clap", &["src/cli/", "src/main.rs"]),
 ];

@@ -2,6 +2,7 @@
 //! the files they write, their limits, and interrupts.
 
 mod adaptive;
+mod combinations;
 mod coulomb;
 mod forged_inputs;
 mod forgeries;

@@ -14,8 +14,7 @@ use bracket::analysis::event::silent;
 use bracket::analysis::limit;
 use bracket::analysis::limit::LimitPass;
 use bracket::analysis::pass::PassOptions;
-use bracket::certify::half_plane::Axes;
-use bracket::certify::half_plane::half_plane;
+use bracket::certify::half_space::{Axes, HalfSpace, live_actions};
 use bracket::math::convex::HalfPlane;
 use bracket::model::AnalysisModel;
 use bracket::result::demand::ActionValue;
@@ -49,7 +48,7 @@ fn polygon(directions: u32) -> (CapacityPolygon, Patterns) {
         1e-3 * N
     );
     let spec: PolygonSpec = serde_yaml::from_str(&format!("{{{text}}}")).unwrap();
-    let action = |d: [f64; 2]| bar(d).rigid.iter().map(|r| r.action).collect();
+    let action = |d: [f64; 2]| live_actions(&bar(d));
     let axes: Axes = [action([1.0, 0.0]), action([0.0, 1.0])];
     let patterns = Patterns::default();
     let solve = SolveOptions { patterns: patterns.clone(), ..SolveOptions::default() };
@@ -60,18 +59,14 @@ fn polygon(directions: u32) -> (CapacityPolygon, Patterns) {
         let bracket = pass.bracket.as_ref().unwrap();
         assert!(bracket.is_strict(), "{}: {bracket:?}", d.case);
         let (velocity, upper) = (pass.velocity.as_ref().unwrap(), bracket.upper());
-        let plane = half_plane(&model, velocity, upper, &axes, d.unit)
-            .expect("a mechanism bounds a half plane");
+        let space = HalfSpace::new(&model, velocity, upper).expect("a strict mechanism");
+        let plane = space.half_plane(&axes, d.unit).expect("a mechanism bounds a half plane");
         // the point of this direction lies on the edge of the half plane
         let outside = plane.outside(d.unit.map(|x| upper.value() * x));
         assert!(outside.abs() < 1e-8 * upper.value(), "{}: {outside}", d.case);
         // loads other than these two
         let twice = [axes[0].clone(), axes[1].iter().map(|a| a.map(|x| 2.0 * x)).collect()];
-        assert!(
-            d.unit[1] == 0.0 || half_plane(&model, velocity, upper, &twice, d.unit).is_none(),
-            "{}",
-            d.case
-        );
+        assert!(d.unit[1] == 0.0 || space.half_plane(&twice, d.unit).is_none(), "{}", d.case);
         Point {
             case: d.case,
             direction: d.unit,

@@ -59,29 +59,11 @@ fn run(iterations: u32) -> ProgramRun {
 
 fn case(name: &str) -> CaseResult {
     CaseResult {
-        name: name.into(),
-        analysis: AnalysisKind::Elastic,
-        quantity: Quantity::PotentialEnergy,
-        problem: FrictionModel::Associated,
         lower: Some(-334_201.713),
         upper: Some(Upper::Finite(-318_891.744)),
         gap: Some(0.045_810_6),
-        utilisation: None,
-        demand: None,
-        frictionless: None,
-        associated: None,
-        coulomb_estimate: None,
-        preload: vec![],
-        fixed_point: None,
         load: Some(LoadSize::Force(3_513_363.0)),
         load_displacement: Some([0.181_53, 0.190_246]),
-        load_displacement_at_least: None,
-        static_forces: None,
-        evidence: None,
-        evidence_before: Vec::new(),
-        critical: None,
-        critical_unknown: None,
-        joint_stiffness: None,
         certificate: Some(Certificate {
             strict: true,
             equilibrium: Some(3.141e-13),
@@ -107,17 +89,12 @@ fn case(name: &str) -> CaseResult {
             mesh_seconds: Some(3.0),
             peak_memory_mib: Some(1024),
         }],
-        dissipation: vec![],
-        yielding: vec![],
-        face_motions: vec![],
-        load_steps: Vec::new(),
-        limiting_part: None,
-        welds: vec![],
-        support_slip: vec![],
-        tie_slip: vec![],
-        resultants: vec![],
         peak_contact_pressure: Some(PeakPressure { kinematic: Some(247.31), static_: Some(268.4) }),
-        warnings: vec![],
+        ..CaseResult::empty(
+            name,
+            AnalysisKind::Elastic,
+            (Quantity::PotentialEnergy, FrictionModel::Associated),
+        )
     }
 }
 

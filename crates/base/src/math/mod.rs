@@ -5,6 +5,7 @@ pub mod convex;
 pub mod dense;
 pub mod eigen;
 pub mod figures;
+pub mod gauge;
 pub mod lanes;
 pub mod mandel;
 pub mod quadrature;

@@ -4,6 +4,7 @@
 
 pub mod bracket;
 pub mod certificate;
+pub mod combination;
 pub mod contributions;
 pub mod coulomb_shift;
 pub mod cut_limits;
@@ -11,7 +12,7 @@ pub mod dissipation;
 pub mod faces;
 pub mod fields;
 pub mod free_mechanism;
-pub mod half_plane;
+pub mod half_space;
 pub mod limit_certificate;
 pub mod load_factor;
 pub mod measures;

@@ -39,8 +39,24 @@ pub struct AnalysisSpec {
     /// method for a load at a member end.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub decide: Option<bool>,
+    /// Limit analysis of many load cases: whether each of them is analysed. By default each of up
+    /// to 12.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub combinations: Option<Combinations>,
     /// Mesh.
     pub mesh: MeshSpec,
+}
+
+/// Which load cases limit analysis is run for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Combinations {
+    /// For each of them.
+    Each,
+    /// For as few as bound all of them: what a joint carries is convex, so that bounds of some load
+    /// cases prove bounds of others. It ends when every load case is decided or has an analysis of
+    /// its own.
+    Covered,
 }
 
 impl Default for AnalysisSpec {
@@ -55,6 +71,7 @@ impl Default for AnalysisSpec {
             bolts: BoltModel::Yielding,
             load_steps: Vec::new(),
             decide: None,
+            combinations: None,
             mesh: MeshSpec::default(),
         }
     }

@@ -6,6 +6,7 @@ use crate::figures::{Rounding, utilisation};
 use crate::markdown::report_data::{GivenActions, ReportData};
 use crate::result::demand::EndAction;
 use crate::result::judged_case::JudgedCase;
+use crate::result::result_file::ResultFile;
 use bracket_base::say;
 use bracket_base::words::Text;
 use bracket_codes::verdict::Verdict;
@@ -40,6 +41,7 @@ pub(crate) fn condensed(data: &ReportData) -> Cow<'_, ReportData> {
     }
     let mut data = data.clone();
     data.result.checks = in_worst_case(&data.result.checks);
+    data.result.cases.retain(|c| c.proved_by.is_none());
     let shown: BTreeSet<&str> =
         data.result.checks.iter().filter_map(|c| c.case.as_deref()).collect();
     data.input.demands.retain(|d| shown.contains(d.case.as_str()));
@@ -90,7 +92,26 @@ pub(crate) fn section(doc: &mut Doc, all: &ReportData) {
     doc.table(&envelope(&all.input.demands));
     doc.paragraph(LINES);
     doc.table(&lines(&all.result.load_cases, usize::MAX).0);
+    if let Some(proof) = proof(&all.result) {
+        doc.paragraph(proof);
+    }
     doc.paragraph(WORST);
+}
+
+/// How many analyses bound how many load cases; `None` where each has its own.
+pub(crate) fn proof(result: &ResultFile) -> Option<Text> {
+    let derived = result.cases.iter().filter(|c| c.proved_by.is_some()).count();
+    let runs = result.cases.len() - derived;
+    (derived > 0).then(|| {
+        say!(
+            "{} limit analyses bound {} load cases. The brackets of {} load cases follow from \
+             those of others, because the actions that a joint carries are a convex set; \
+             `proved_by` in result.json has the weights.",
+            runs,
+            runs - result.directions.len() + derived,
+            derived
+        )
+    })
 }
 
 /// The value of an action of a load case at a member end \[N, N mm\].
@@ -149,22 +170,27 @@ pub(crate) fn lines(cases: &[JudgedCase], most: usize) -> (Table, usize) {
     let used = |c: &JudgedCase| c.utilisation().map_or(f64::NEG_INFINITY, |u| u[1]);
     let mut sorted: Vec<&JudgedCase> = cases.iter().collect();
     sorted.sort_by(|a, b| rank(a).cmp(&rank(b)).then(used(b).total_cmp(&used(a))));
+    let interval = |[l, u]: [f64; 2]| match l == u {
+        true => utilisation(u, Rounding::Nearest),
+        false => {
+            let (l, u) = (utilisation(l, Rounding::Down), utilisation(u, Rounding::Up));
+            format!("{l} … {u}")
+        }
+    };
     let row = |c: &&JudgedCase| {
         let j = &c.judgement;
-        let used = c.utilisation().map_or_else(dash, |[l, u]| match l == u {
-            true => utilisation(u, Rounding::Nearest).into(),
-            false => {
-                let (l, u) = (utilisation(l, Rounding::Down), utilisation(u, Rounding::Up));
-                format!("{l} … {u}").into()
-            }
-        });
+        let used = c.utilisation().map_or_else(dash, |u| interval(u).into());
+        let by_analysis = match c.by_bounds {
+            Some(u) => say!("{} ({})", j.by_analysis.words(), interval(u)),
+            None => j.by_analysis.words().into(),
+        };
         let governing = j.governing.as_ref().map_or_else(dash, |g| g.what.clone());
         [
             Text::given(&c.case),
             used,
             governing,
             j.by_code.words().into(),
-            j.by_analysis.words().into(),
+            by_analysis,
             j.verdict.words().into(),
         ]
     };

@@ -6,6 +6,7 @@ use crate::result::face_motion::FaceMotion;
 use crate::result::forces::StaticForces;
 use crate::result::history::HistoryRow;
 use crate::result::load_step::LoadStep;
+use crate::result::proved_by::ProvedBy;
 use crate::result::quantity::{FrictionModel, LoadSize, Quantity, RawBracket, Upper};
 use bracket_base::say;
 use bracket_base::words::Text;
@@ -89,6 +90,9 @@ pub struct CaseResult {
     /// Elastic analysis of a joint under one moment: the bracket of its initial stiffness.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub joint_stiffness: Option<JointStiffness>,
+    /// Limit analysis: where the bounds come from, of a load case without an analysis of its own.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub proved_by: Option<ProvedBy>,
     /// Residuals of the two fields.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub certificate: Option<Certificate>,
@@ -244,6 +248,53 @@ pub struct PeakPressure {
 }
 
 impl CaseResult {
+    /// An entry without any number.
+    pub fn empty(
+        name: &str,
+        analysis: AnalysisKind,
+        (quantity, problem): (Quantity, FrictionModel),
+    ) -> Self {
+        Self {
+            name: name.into(),
+            analysis,
+            quantity,
+            problem,
+            lower: None,
+            upper: None,
+            gap: None,
+            utilisation: None,
+            demand: None,
+            frictionless: None,
+            associated: None,
+            coulomb_estimate: None,
+            preload: Vec::new(),
+            fixed_point: None,
+            load: None,
+            load_displacement: None,
+            static_forces: None,
+            evidence: None,
+            evidence_before: Vec::new(),
+            critical: None,
+            critical_unknown: None,
+            joint_stiffness: None,
+            proved_by: None,
+            certificate: None,
+            load_displacement_at_least: None,
+            history: Vec::new(),
+            dissipation: Vec::new(),
+            yielding: Vec::new(),
+            face_motions: Vec::new(),
+            load_steps: Vec::new(),
+            limiting_part: None,
+            welds: Vec::new(),
+            support_slip: Vec::new(),
+            tie_slip: Vec::new(),
+            resultants: Vec::new(),
+            peak_contact_pressure: None,
+            warnings: Vec::new(),
+        }
+    }
+
     /// True if both numbers are bounds: every residual of the certificate is within its tolerance.
     pub fn is_strict(&self) -> bool {
         self.certificate.is_some_and(|c| c.strict)

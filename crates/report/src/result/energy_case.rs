@@ -357,6 +357,7 @@ pub fn case_result(
         critical: None,
         critical_unknown: None,
         joint_stiffness: None,
+        proved_by: None,
         certificate: certificate(pass),
         history: vec![HistoryRow {
             macro_tets: model.mesh.tets.len(),

@@ -15,6 +15,9 @@ pub const CASES_FILE: &str = "cases.csv";
 pub struct JudgedCase {
     /// Its name.
     pub case: String,
+    /// Bracket of demand over capacity by limit analysis, lower first.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub by_bounds: Option<[f64; 2]>,
     /// The verdicts by code and by analysis, the reason and what governs.
     #[serde(flatten)]
     pub judgement: Judgement,
@@ -38,6 +41,8 @@ pub fn cases_csv(cases: &[JudgedCase], given: &[(&str, &[EndAction])]) -> String
         "by_analysis",
         "utilisation_low",
         "utilisation_high",
+        "analysis_low",
+        "analysis_high",
         "governing",
         "clause",
         "reason",
@@ -51,10 +56,12 @@ pub fn cases_csv(cases: &[JudgedCase], given: &[(&str, &[EndAction])]) -> String
     for case in cases {
         let j = &case.judgement;
         let word = |v: Verdict| json!(v).as_str().unwrap_or_default().to_owned();
-        let used =
-            case.utilisation().map_or([String::new(), String::new()], |u| u.map(|u| u.to_string()));
+        let pair = |used: Option<[f64; 2]>| {
+            used.map_or([String::new(), String::new()], |u| u.map(|u| u.to_string()))
+        };
         let governing = j.governing.as_ref();
-        let [low, high] = used;
+        let [low, high] = pair(case.utilisation());
+        let [analysis_low, analysis_high] = pair(case.by_bounds);
         let row = [
             case.case.clone(),
             word(j.verdict),
@@ -62,6 +69,8 @@ pub fn cases_csv(cases: &[JudgedCase], given: &[(&str, &[EndAction])]) -> String
             word(j.by_analysis),
             low,
             high,
+            analysis_low,
+            analysis_high,
             governing.map_or_else(String::new, |g| g.what.to_string()),
             governing.map_or_else(String::new, |g| g.clause.to_string()),
             j.reason.to_string(),

@@ -301,6 +301,7 @@ pub fn limit_case_result(
         critical: None,
         critical_unknown: None,
         joint_stiffness: None,
+        proved_by: None,
         certificate,
         history: vec![HistoryRow {
             macro_tets: model.mesh.tets.len(),

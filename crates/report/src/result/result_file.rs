@@ -13,6 +13,7 @@ pub use crate::result::certificate::{Certificate, RESIDUAL_TOLERANCE};
 pub use crate::result::history::{HistoryRow, Predicted, ProgramRun, SoFar, TraceRow};
 use crate::result::judged_case::JudgedCase;
 use crate::result::polygon::CapacityPolygon;
+use crate::result::proved_by::Direction;
 pub use crate::result::quantity::{
     FrictionModel, LoadSize, Quantity, RawBracket, Unbounded, Upper,
 };
@@ -59,6 +60,10 @@ pub struct ResultFile {
     pub asked: Vec<String>,
     /// One entry for each load case and kind of analysis.
     pub cases: Vec<CaseResult>,
+    /// Directions of the space of actions that were analysed to bound load cases; their entries
+    /// stand behind those of the load cases.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub directions: Vec<Direction>,
     /// Hand checks of the code.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub checks: Vec<Check>,
@@ -172,6 +177,7 @@ impl ResultFile {
             load_cases: Vec::new(),
             asked: Vec::new(),
             cases,
+            directions: Vec::new(),
             checks,
             neglected: Vec::new(),
             component_method: Vec::new(),

@@ -1,6 +1,7 @@
 //! Recomputation of the certificate of a finished result from its stored fields and meshes alone.
 
 mod case_files;
+mod combinations;
 mod derived;
 mod differences;
 mod energy;
@@ -13,6 +14,7 @@ mod load_steps;
 mod measured;
 
 use crate::result::combine::{PassResult, join};
+use crate::result::derived_bounds::Run;
 use crate::result::energy_case::energy_bounds;
 use crate::result::file_names::entry_stem;
 use crate::result::limit_case::factor_bounds;
@@ -27,6 +29,7 @@ use bracket_engine::model::resolve::load_model;
 use bracket_engine::model::{AnalysisKind, AnalysisModel};
 use case_files::CaseFiles;
 pub use case_files::read;
+use combinations::{proof_difference, runs};
 pub use derived::Reference;
 use derived::{Proved, case_differences, polygon_differences};
 use differences::derived_differences;
@@ -55,7 +58,10 @@ pub fn verify(
     let mut findings = Vec::new();
     let mut refuted = Vec::new();
     let mut proved = Vec::new();
-    for (i, case) in result.cases.iter().enumerate() {
+    let derived = || result.cases.iter().filter(|c| c.proved_by.is_some());
+    let keeps = result.polygon.is_some() || derived().next().is_some();
+    let analysed = |c: &(usize, &CaseResult)| c.1.proved_by.is_none();
+    for (i, case) in result.cases.iter().enumerate().filter(analysed) {
         let stem = entry_stem(&result.cases[..i], case);
         let (found, (other, of_case)) =
             verify_case(folder, case, &stem, result.symmetry, reference)?;
@@ -63,10 +69,12 @@ pub fn verify(
         refuted.extend(other);
         if let Some(of_case) = of_case {
             refuted.extend(reference.iter().flat_map(|r| case_differences(case, &of_case, r)));
-            proved.extend(result.polygon.is_some().then_some(of_case));
+            proved.extend(keeps.then_some(of_case));
         }
     }
     refuted.extend(result.polygon.iter().flat_map(|claimed| polygon_differences(claimed, &proved)));
+    let runs: Vec<Run> = if derived().next().is_some() { runs(&proved) } else { Vec::new() };
+    refuted.extend(derived().filter_map(|c| proof_difference(c, &runs, reference)));
     Ok(Verification { findings, refuted })
 }
 

@@ -45,10 +45,12 @@ pub fn sheet(data: &ReportData, words: &Words, extent: Extent, paper: Paper) -> 
     let lines = many.then(|| load_cases::lines(&all.result.load_cases, most));
     let (lines, others) = lines.unwrap_or_default();
     let further = say!("{} further load cases are in cases.csv and report.html.", others);
-    let lines_note = match others {
-        0 => load_cases::LINES.into(),
-        _ => Text::joined(" ", [load_cases::LINES.into(), further]),
-    };
+    let notes = [
+        Some(load_cases::LINES.into()),
+        (others > 0).then_some(further),
+        load_cases::proof(&all.result),
+    ];
+    let lines_note = Text::joined(" ", notes.into_iter().flatten());
     let title = data.input.project.first().map_or_else(|| data.input.name.clone(), |l| l.1.clone());
     // an office files reports by these lines: what the spec does not give is filled in by hand
     let filed = ["number", "revision", "author", "checker", "date"];

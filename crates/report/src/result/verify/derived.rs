@@ -11,8 +11,7 @@ use crate::result::quantity::LoadSize;
 use bracket_base::math::convex::HalfPlane;
 use bracket_engine::certify::UpperFactor;
 use bracket_engine::certify::fields::StressField;
-use bracket_engine::certify::half_plane::Axes;
-use bracket_engine::certify::half_plane::half_plane;
+use bracket_engine::certify::half_space::{Actions, Axes, HalfSpace, live_actions};
 use bracket_engine::certify::velocity_field::VelocityField;
 use bracket_engine::model::AnalysisModel;
 use bracket_joint::assembly::BoltLine;
@@ -32,6 +31,8 @@ pub struct Reference {
     pub evidence: Option<EvidencePlan>,
     /// The load steps that elastoplastic analysis is asked for.
     pub load_steps: Vec<f64>,
+    /// The actions of the load cases whose bounds come from analyses of others.
+    pub actions: Vec<(String, Actions)>,
 }
 
 /// The results that the files of a case prove.
@@ -67,7 +68,7 @@ pub fn polygon_differences(claimed: &CapacityPolygon, proved: &[Proved]) -> Vec<
     let (Some(first), Some(second)) = (along([1.0, 0.0]), along([0.0, 1.0])) else {
         return vec!["polygon: the cases of its two axes are not among its points".into()];
     };
-    let axes: Axes = [first, second].map(|p| p.model.rigid.iter().map(|r| r.action).collect());
+    let axes: Axes = [first, second].map(|p| live_actions(&p.model));
     let mut out = Vec::new();
     for (axis, case) in claimed.axes.iter().zip([first, second]) {
         let same = match (axis.unit, case.entry.load) {
@@ -119,7 +120,7 @@ fn point_difference(point: &Point, case: &Proved, axes: &Axes) -> Option<&'stati
         return Some("lower or upper is not the bound of its case");
     }
     let proves = |(velocity, bound): &(VelocityField, UpperFactor)| {
-        half_plane(&case.model, velocity, bound, axes, point.direction)
+        HalfSpace::new(&case.model, velocity, bound)?.half_plane(axes, point.direction)
     };
     match (point.half_plane, case.mechanism.as_ref().and_then(proves)) {
         (Some(claimed), Some(found)) if same_plane(&claimed, &found) => None,
