@@ -74,7 +74,8 @@ pub fn judged(
         case.utilisation = safe_utilisation(case);
         let demand = demands.iter().find(|d| d.case == case.name);
         case.demand = demand.map(|d| Demand::new(case, d.actions.clone(), checks));
-        if no_rule(case) {
+        // the other load cases of a run tell it once
+        if no_rule(case) && case.proved_by.is_none() {
             case.warnings.push(
                 "no rule of rotation capacity holds: the lower bound alone decides nothing, and \
                  plastic global analysis may not rely on the rotation of the joint (EN \

@@ -18,6 +18,7 @@ use bracket_report::page::scene::Scene;
 use bracket_report::page::{self, PAGE_FILE};
 use bracket_report::pdf;
 use bracket_report::printed;
+use bracket_report::result::case_result::CaseResult;
 use bracket_report::result::folder::ResultFolder;
 use bracket_report::result::judged_case::{CASES_FILE, cases_csv};
 use bracket_report::result::result_file::ResultFile;
@@ -68,7 +69,12 @@ pub fn present(
     // a request while the report was written counts too
     let interrupted = interrupt.asked();
     let status = if interrupted { ExitStatus::Undecided } else { status };
-    result.cases.iter().flat_map(answer).for_each(|line| log.line(line));
+    let analysed = |c: &&CaseResult| c.proved_by.is_none();
+    result.cases.iter().filter(analysed).flat_map(answer).for_each(|line| log.line(line));
+    let others = result.cases.iter().filter(|c| c.proved_by.is_some()).count();
+    if others > 0 {
+        log.line(format!("{others} load cases are bounded by these analyses: {CASES_FILE}"));
+    }
     result.warnings.iter().for_each(|w| log.line(format!("warning: {w}")));
     let bare = result.cases.iter().all(|c| c.lower.is_none() && c.upper.is_none());
     if interrupted && bare && folder.target().exists() {

@@ -50,7 +50,7 @@ pub use capacity::Capacity;
 pub use clamped_plates::stocked_length;
 pub use class_checks::stiffness_class_limits;
 pub use comparison::Comparison;
-pub use diagram::{MomentAxial, moment_axial};
+pub use diagram::{Curve, MomentAxial, Point, moment_axial};
 pub use hand_checks::HandChecks;
 pub use joint_stiffness::{FrameClass, JointStiffness, PureMoment};
 pub use method_record::{LimitRecord, MethodRecord, RowRecord, StubRecord, WebRecord};

@@ -69,7 +69,7 @@ fn few_analyses_decide_all_load_cases() {
     let (text, _) = expect(&bench, &["verify", "joint"], 0);
     assert!(text.contains("confirmed"), "{text}");
     let report = bench.read("joint/report.md");
-    assert!(report.contains(&format!("{runs} limit analyses bound 16 load cases")), "{report}");
+    assert!(report.contains(&format!("{runs} limit analyses bound 16 load cases;")), "{report}");
 }
 
 /// A claim that the stored analyses do not prove is refuted.

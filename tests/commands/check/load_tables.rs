@@ -103,16 +103,50 @@ fn three_hundred_combinations_in_one_short_printout() {
     let page = bench.read("r/report.html");
     assert!((0..300).all(|k| page.contains(&format!("CO{k}"))));
     #[cfg(feature = "pdf")]
-    {
-        let info = std::process::Command::new("pdfinfo")
-            .current_dir(bench.path())
-            .arg("r/report.pdf")
-            .output()
-            .expect("poppler-utils");
-        let info = String::from_utf8_lossy(&info.stdout).into_owned();
-        let pages = info.lines().find_map(|l| l.strip_prefix("Pages:")).expect("pages").trim();
-        assert!(pages.parse::<u32>().expect("a number") <= 5, "{pages} pages");
+    assert!(pages(&bench, "r/report.pdf") <= 5, "{} pages", pages(&bench, "r/report.pdf"));
+}
+
+/// Number of pages of a printout.
+#[cfg(feature = "pdf")]
+fn pages(bench: &Bench, file: &str) -> u32 {
+    let info = std::process::Command::new("pdfinfo")
+        .current_dir(bench.path())
+        .arg(file)
+        .output()
+        .expect("poppler-utils");
+    let info = String::from_utf8_lossy(&info.stdout).into_owned();
+    let pages = info.lines().find_map(|l| l.strip_prefix("Pages:")).expect("pages").trim();
+    pages.parse().expect("a number")
+}
+
+/// Each load case of a double-sided joint has a β of its own: one diagram and two sets of numbers
+/// of the component method a sense, not one for each β.
+#[test]
+fn many_values_of_beta_in_one_diagram() {
+    let mut table = String::from("case,end,N [kN],Vz [kN],My [kN m]\n");
+    for k in 0..40 {
+        for (end, turn) in [("beam_right", 7), ("beam_left", 11)] {
+            let my = -20.0 + f64::from((13 + turn * k) % 80);
+            let _ = writeln!(table, "LC{k},{end},{},-{},{my}", (turn * k) % 19 - 9, 10 + k);
+        }
     }
+    let joint = "template: beam_to_column_end_plate\nmembers: {column: {profile: HEB240, steel: \
+                 S235}, beam: {profile: IPE330, steel: S235}}\nplate: {thickness: 15, width: 180, \
+                 z: [-180, 250]}\nbolts: {size: M20, grade: \"8.8\", gauge: 100, rows: [-105, 105, \
+                 210]}\nparameters: {double_sided: true, column_stiffeners: false}\nfriction: {mu: \
+                 0}\nloads: {table: forces.csv, at: column_face}\n";
+    let bench = Bench::new().file("joint.yaml", joint).file("forces.csv", table);
+    expect(&bench, &["check", "joint.yaml", "--out", "r"], 0);
+    let result = result(&bench, "r");
+    assert!(result["component_method"].as_array().expect("a list").len() > 20);
+    assert!(!bench.path().join("r/moment_axial_2.svg").exists());
+    let svg = bench.read("r/moment_axial.svg");
+    assert!(svg.contains("80 load cases that are carried"), "{svg}");
+    let report = bench.read("r/report.md");
+    let methods = report.matches("γ_M0 = 1; β = ").count();
+    assert!((2..=4).contains(&methods), "{methods} sets of numbers");
+    #[cfg(feature = "pdf")]
+    assert!(pages(&bench, "r/report.pdf") <= 8, "{} pages", pages(&bench, "r/report.pdf"));
 }
 
 /// The result folder keeps the load cases: its report is printed again without the table, and the

@@ -46,13 +46,12 @@ fn of_end_plate(e: &EndPlate, content: &Content) -> Vec<(PictureRef, String)> {
     for (i, diagram) in bracket_codes::end_plate::moment_axial(e).iter().enumerate() {
         let file =
             if i == 0 { "moment_axial.svg".into() } else { format!("moment_axial_{}.svg", i + 1) };
-        let caption = if e.column.is_some() {
-            say!(
+        let caption = match &diagram.curves[..] {
+            [only] if e.column.is_some() => say!(
                 "Moment and axial force that the joint carries by the component method, β = {}",
-                number(diagram.beta)
-            )
-        } else {
-            "Moment and axial force that the joint carries by the component method".into()
+                number(only.beta)
+            ),
+            _ => "Moment and axial force that the joint carries by the component method".into(),
         };
         out.push(moment_axial::drawing(diagram).picture(file, caption));
     }

@@ -9,8 +9,9 @@ use crate::result::judged_case::JudgedCase;
 use crate::result::result_file::ResultFile;
 use bracket_base::say;
 use bracket_base::words::Text;
+use bracket_codes::subject::{Place, Subject};
 use bracket_codes::verdict::Verdict;
-use bracket_codes::{Check, Status, Unit};
+use bracket_codes::{Check, CheckId, Status, Unit};
 use bracket_joint::spec::loads::Action;
 use std::borrow::Cow;
 use std::collections::{BTreeSet, HashMap};
@@ -25,8 +26,9 @@ pub(crate) const ENVELOPE: &str = "Largest and smallest value of each action; ea
 pub(crate) const LINES: &str = "Each load case, the worst first:";
 
 /// What the checks of a report of many load cases are.
-pub(crate) const WORST: &str =
-    "Each check stands in its worst load case; result.json has those of every load case.";
+pub(crate) const WORST: &str = "Each check stands in its worst load case, the component method \
+                                with the β of the least and of the greatest M_j,Rd; result.json \
+                                has those of every load case.";
 
 /// Whether a report shows its load cases as a table and each check in its worst one.
 pub(crate) fn are_many(data: &ReportData) -> bool {
@@ -41,7 +43,11 @@ pub(crate) fn condensed(data: &ReportData) -> Cow<'_, ReportData> {
     }
     let mut data = data.clone();
     data.result.checks = in_worst_case(&data.result.checks);
-    data.result.cases.retain(|c| c.proved_by.is_none());
+    of_few_betas(&mut data.result);
+    let directions = &data.result.directions;
+    data.result
+        .cases
+        .retain(|c| c.proved_by.is_none() && directions.iter().all(|d| d.name != c.name));
     let shown: BTreeSet<&str> =
         data.result.checks.iter().filter_map(|c| c.case.as_deref()).collect();
     data.input.demands.retain(|d| shown.contains(d.case.as_str()));
@@ -83,6 +89,30 @@ fn in_worst_case(checks: &[Check]) -> Vec<Check> {
     worst.into_iter().cloned().collect()
 }
 
+/// Leaves of each sense of bending the β with the least and with the greatest moment resistance.
+fn of_few_betas(result: &mut ResultFile) {
+    let is_beta = |p: &Place| matches!(p, Place::Beta(_));
+    let sense =
+        |s: &Subject| -> Vec<Place> { s.places.iter().filter(|p| !is_beta(p)).cloned().collect() };
+    let mut kept: Vec<Subject> = Vec::new();
+    let moments = || result.checks.iter().filter(|c| c.id() == CheckId::MomentResistance);
+    for moment in moments() {
+        let mut same: Vec<&Check> =
+            moments().filter(|c| sense(&c.subject) == sense(&moment.subject)).collect();
+        let size = |c: &Check| c.resistance.unwrap_or(0.0);
+        same.sort_by(|a, b| size(a).total_cmp(&size(b)));
+        let ends = [same.first(), same.last()];
+        kept.extend(ends.into_iter().flatten().map(|c| c.subject.clone()));
+    }
+    let of_kept = |s: &Subject| {
+        let within = |k: &Subject| k.places.iter().all(|p| s.places.contains(p));
+        !s.places.iter().any(is_beta) || kept.iter().any(within)
+    };
+    let texts: BTreeSet<Text> = kept.iter().map(Subject::text).collect();
+    result.checks.retain(|c| of_kept(&c.subject));
+    result.component_method.retain(|m| texts.contains(&m.subject));
+}
+
 /// The section: envelope and lines, for the cases of `all`.
 pub(crate) fn section(doc: &mut Doc, all: &ReportData) {
     if !are_many(all) {
@@ -104,12 +134,12 @@ pub(crate) fn proof(result: &ResultFile) -> Option<Text> {
     let runs = result.cases.len() - derived;
     (derived > 0).then(|| {
         say!(
-            "{} limit analyses bound {} load cases. The brackets of {} load cases follow from \
-             those of others, because the actions that a joint carries are a convex set; \
-             `proved_by` in result.json has the weights.",
+            "{} limit analyses bound {} load cases; {} of them are of actions that no load case \
+             has. The actions that a joint carries are a convex set, so that an analysis bounds \
+             other load cases too; `proved_by` in result.json has the weights.",
             runs,
-            runs - result.directions.len() + derived,
-            derived
+            result.cases.len() - result.directions.len(),
+            result.directions.len()
         )
     })
 }
@@ -205,7 +235,7 @@ mod tests {
     use crate::result::demand::ActionValue;
     use bracket_codes::formula::Traced;
     use bracket_codes::subject::Part;
-    use bracket_codes::{CheckId, Topic, Worked};
+    use bracket_codes::{Topic, Worked};
 
     fn given(case: &str, n: f64, my: f64) -> GivenActions {
         let action = |action: Action, v: f64| EndAction {
