@@ -5,6 +5,7 @@ use bracket_base::diag::{Diagnostic, Diagnostics};
 use bracket_base::units::limits;
 use bracket_base::yaml::Parsed;
 use bracket_engine::model::AnalysisKind;
+use bracket_joint::spec::analysis::Combinations;
 use bracket_joint::spec::connection::ConnectionSpec;
 use bracket_joint::spec::loads::LoadSpec;
 use bracket_report::result::file_names::{file_stem, stem_of};
@@ -12,10 +13,25 @@ use bracket_report::result::file_names::{file_stem, stem_of};
 /// All checks of a spec for these kinds of analysis; `kinds` is empty for the hand checks alone.
 pub fn check_input(input: &SpecFile, kinds: &[AnalysisKind]) -> Result<(), Diagnostics> {
     check_loads(&input.spec, kinds)?;
+    check_combinations(input, kinds)?;
     match input.joint.welds_without_strength.first().filter(|_| !kinds.is_empty()) {
         Some(weld) => Err(weld.clone().into()),
         None => check_preload(input, kinds),
     }
+}
+
+/// Refuses `combinations: covered` where each load case needs its own analysis.
+fn check_combinations(input: &SpecFile, kinds: &[AnalysisKind]) -> Result<(), Diagnostics> {
+    let asked = input.spec.value.analysis.combinations == Some(Combinations::Covered);
+    let Some(why) = input.needs_each(kinds).filter(|_| asked && !kinds.is_empty()) else {
+        return Ok(());
+    };
+    let message = format!("`combinations: covered` beside {why}, which needs every load case");
+    let help = "write `kind: limit` and `decide: false` for bounds of all load cases by few \
+                analyses; or leave `combinations` out";
+    let mut d = Diagnostic::input("spec/value", message).help(help);
+    d.place = input.spec.index.place("analysis.combinations");
+    Err(d.into())
 }
 
 /// The checks of names and sizes of loads.

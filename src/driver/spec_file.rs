@@ -69,17 +69,28 @@ impl SpecFile {
     /// Whether limit analysis is run for as few load cases as bound all of them. Other kinds of
     /// analysis, a polygon and estimates under Coulomb's law need each case itself.
     pub fn covers(&self, kinds: &[AnalysisKind]) -> bool {
-        let spec = &self.spec.value;
-        let possible = *kinds == [AnalysisKind::Limit]
-            && spec.polygon.is_none()
-            && !spec.analysis.coulomb_estimate;
-        let many = model_file::cases(&self.joint.assembly).len() > EACH;
-        possible
-            && match spec.analysis.combinations {
+        let many = || model_file::cases(&self.joint.assembly).len() > EACH;
+        self.needs_each(kinds).is_none()
+            && match self.spec.value.analysis.combinations {
                 Some(Combinations::Covered) => true,
                 Some(Combinations::Each) => false,
-                None => many,
+                None => many(),
             }
+    }
+
+    /// What makes an analysis of each load case necessary; `None` where limit analyses of some may
+    /// bound the others.
+    pub fn needs_each(&self, kinds: &[AnalysisKind]) -> Option<&'static str> {
+        let spec = &self.spec.value;
+        if *kinds != [AnalysisKind::Limit] {
+            Some("another kind of analysis than `limit`")
+        } else if spec.polygon.is_some() {
+            Some("a polygon")
+        } else if spec.analysis.coulomb_estimate {
+            Some("`coulomb_estimate`")
+        } else {
+            None
+        }
     }
 
     /// Writes the user's own templates and tables into a result folder.

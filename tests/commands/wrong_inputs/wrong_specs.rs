@@ -431,6 +431,22 @@ const ROWS: &[Row] = &[
     ),
     (
         "target_gap: 0.05",
+        "combinations: covered",
+        "spec/value",
+        "joint.yaml:11:",
+        "another kind of analysis than `limit`",
+        "decide: false",
+    ),
+    (
+        "target_gap: 0.05",
+        "combinations: few",
+        "yaml/unknown-value",
+        "joint.yaml:11:",
+        "`few`",
+        "covered",
+    ),
+    (
+        "target_gap: 0.05",
         "coulomb_estimate: 1",
         "yaml/type",
         "joint.yaml:11:",
