@@ -141,7 +141,9 @@ pub fn drawing(result: &ResultFile, frame: &Frame) -> Option<(PictureRef, String
         return None;
     }
     let stiffness = result.cases.iter().find_map(|c| Some((c, c.joint_stiffness.as_ref()?)));
-    let bracket = result.cases.iter().find_map(|c| Some((c, resistance(c)?)));
+    // a bracket of an analysis of its own is narrower
+    let mut analysed = result.cases.iter().filter(|c| c.proved_by.is_none());
+    let bracket = analysed.find_map(|c| Some((c, resistance(c)?)));
     let ends = curves.iter().map(|c| [1.35 * c.rotation(c.resistance), c.resistance]);
     let mut largest = ends.fold([0.0f64; 2], |r, c| [r[0].max(c[0]), r[1].max(c[1])]);
     let demands = curves.iter().filter_map(|c| Some((c, frame.largest(c.sense)?)));

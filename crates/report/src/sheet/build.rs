@@ -144,7 +144,7 @@ fn in_worst_case(mut rows: Vec<SummaryRow>) -> (Vec<SummaryRow>, Text) {
 }
 
 /// Most load cases of which the short report has a line.
-const MOST_LINES: usize = 60;
+const MOST_LINES: usize = 40;
 
 /// Load cases up to which the short report lists every check of each.
 const EVERY_CASE: usize = 4;
