@@ -3,9 +3,11 @@
 mod headers;
 mod program;
 mod read;
+mod tables;
 
 pub use program::{Program, Quantity};
 pub use read::{ForceRow, Source, names, read};
+pub use tables::ForceTables;
 
 #[cfg(test)]
 mod tests;
