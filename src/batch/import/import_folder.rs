@@ -72,7 +72,7 @@ fn base(spec: &Value, from: &Path, first: &str) -> Result<String, Diagnostics> {
     if let Some(keys) = spec.as_object_mut() {
         keys.insert("loads".into(), json!({"table": first}));
     }
-    Ok(yaml::to_string(&spec)?)
+    yaml::to_string(&spec)
 }
 
 /// Writes the folder and moves it into place; returns the path of the sweep.

@@ -43,7 +43,8 @@ pub struct ImportedJoint {
     pub name: String,
     /// Number of its load cases.
     pub cases: usize,
-    /// Forces of the column that the sweep has for it; `None` without a member of the column.
+    /// Forces of the column that the sweep has for it; `None` without a member of the column, or
+    /// without checks of it.
     pub column: Option<ColumnForces>,
     /// What the members at the node leave; `None` without a member of the column.
     pub residuals: Option<Residuals>,
@@ -114,14 +115,15 @@ pub fn import(
         let row = &table.rows[i];
         let end = |e: &super::joint_row::EndAt| (e.at, template.side(&e.end));
         let ends: Vec<_> = row.ends.iter().map(end).collect();
-        let column = ColumnForces::of(of_joint);
+        let role = template.checked_column.as_ref();
+        let column = role.and_then(|_| ColumnForces::of(of_joint));
         joints.push(ImportedJoint {
             name: row.name.clone(),
             cases: of_joint.cases(),
             column,
             residuals: residuals(of_joint, &ends),
         });
-        if let (Some(forces), Some(role)) = (column, &template.column) {
+        if let (Some(forces), Some(role)) = (column, role) {
             for (key, text) in forces.values() {
                 table.fill(i, &format!("members.{role}.{key}"), &text)?;
             }

@@ -90,7 +90,7 @@ impl JointsTable {
         let mut named: BTreeMap<String, usize> = BTreeMap::new();
         for row in rest {
             match joint(row, &kinds, file) {
-                Err(d) => faults.push(d),
+                Err(found) => faults.extend(found.iter().cloned()),
                 Ok(joint) => {
                     if let Some(earlier) = named.insert(joint.name.clone(), row.line) {
                         let message =
@@ -200,18 +200,18 @@ fn kinds(header: &Row, file: &Path) -> Result<Vec<Kind>, Diagnostics> {
 }
 
 /// The joint of a row.
-fn joint(row: &Row, kinds: &[Kind], file: &Path) -> Result<JointRow, Diagnostic> {
+fn joint(row: &Row, kinds: &[Kind], file: &Path) -> Result<JointRow, Diagnostics> {
     if row.cells.len() != kinds.len() {
         let message = format!("the row has {} cells, the header {}", row.cells.len(), kinds.len());
         let help = "a decimal comma or a comma in a name splits a cell: write points, and put \
                     names into quotes";
-        return Err(fault(file, row.line, None, message, help));
+        return Err(fault(file, row.line, None, message, help).into());
     }
     let given = kinds.iter().zip(&row.cells).filter(|(_, c)| !c.is_empty());
     let cells = Cells(given.filter_map(|(k, c)| Some(((*k)?, c.as_str()))).collect());
     cells.joint(row.line).map_err(|(column, message, help)| {
         let name = cells.0.get("joint").map_or_else(String::new, |n| format!("joint `{n}`: "));
-        fault(file, row.line, Some(column), format!("{name}{message}"), help)
+        fault(file, row.line, Some(column), format!("{name}{message}"), help).into()
     })
 }
 

@@ -17,6 +17,8 @@ pub struct TemplateEnds {
     ends: Vec<(String, Option<f64>)>,
     /// Role of the column.
     pub column: Option<String>,
+    /// Role of the column whose forces the checks take.
+    pub checked_column: Option<String>,
     /// Role of the member that has the ends.
     pub beam: Option<String>,
 }
@@ -44,8 +46,14 @@ impl TemplateEnds {
             [one] => Some(one.to_owned()),
             _ => None,
         };
-        let column = column.map(str::to_owned);
-        Ok(Self { name: template.name.clone(), ends: plain(&template), column, beam })
+        let (column, checked_column) = (column.map(str::to_owned), template.column().cloned());
+        Ok(Self {
+            name: template.name.clone(),
+            ends: plain(&template),
+            column,
+            checked_column,
+            beam,
+        })
     }
 
     /// The side of an end, +1 or −1, where it is known.

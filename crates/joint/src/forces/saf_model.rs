@@ -69,13 +69,13 @@ impl Sheet {
     }
 
     /// The number of a column.
-    fn column(&self, header: &str, file: &Path) -> Result<usize, Diagnostic> {
+    fn column(&self, header: &str, file: &Path) -> Result<usize, Diagnostics> {
         let found = self.header.cells.iter().position(|c| plain(c) == plain(header));
         found.ok_or_else(|| {
             let message = format!("the sheet `{}` has no column `{header}`", self.name);
             let help = "export the workbook again, or give profile and steel in the table of \
                         joints and save the forces alone as CSV";
-            fault(file, self.header.line, &self.name, message, help)
+            fault(file, self.header.line, &self.name, message, help).into()
         })
     }
 }
@@ -101,7 +101,7 @@ impl SafModel {
             sheets.push(sheet);
         }
         let [members, sections, materials] = [0, 1, 2].map(|i| &sheets[i]);
-        Ok(Some(Self::of(members, sections, materials, file)?))
+        Self::of(members, sections, materials, file).map(Some)
     }
 
     fn of(
@@ -109,7 +109,7 @@ impl SafModel {
         sections: &Sheet,
         materials: &Sheet,
         file: &Path,
-    ) -> Result<Self, Diagnostic> {
+    ) -> Result<Self, Diagnostics> {
         let cell = |row: &Row, i: usize| row.cells.get(i).cloned().unwrap_or_default();
         let [material, quality] =
             [materials.column("Name", file)?, materials.column("Quality", file)?];
@@ -135,7 +135,7 @@ impl SafModel {
                     sections.name
                 );
                 let help = "export the workbook again with all sections";
-                return Err(fault(file, row.line, &members.name, message, help));
+                return Err(fault(file, row.line, &members.name, message, help).into());
             };
             let steel = qualities.get(&cell(of_section, of)).cloned().unwrap_or_default();
             // a code may have words behind it
@@ -166,7 +166,7 @@ mod tests {
         Sheet::of(name, grid).expect("a header")
     }
 
-    fn model(sections: &[&str]) -> Result<SafModel, Diagnostic> {
+    fn model(sections: &[&str]) -> Result<SafModel, Diagnostics> {
         let members = sheet(MEMBERS, &["Type|name|Cross-section", "Beam|B1|CS1", "Column|C1|CS2"]);
         let materials = sheet(MATERIALS, &["Quality|Name", "S 235|Steel"]);
         SafModel::of(&members, &sheet(SECTIONS, sections), &materials, Path::new("model.xlsx"))
@@ -186,9 +186,10 @@ mod tests {
 
     #[test]
     fn faults_name_sheet_and_row() {
-        let lacks = model(&["Name|Material", "CS1|Steel"]).expect_err("no profile");
+        let lacks = model(&["Name|Material", "CS1|Steel"]).expect_err("no profile").into_first();
         assert!(lacks.message.contains("no column `Profile`"), "{lacks:?}");
-        let lacks = model(&["Name|Material|Profile", "CS1|Steel|IPE300"]).expect_err("no CS2");
+        let lacks =
+            model(&["Name|Material|Profile", "CS1|Steel|IPE300"]).expect_err("no CS2").into_first();
         assert!(lacks.message.contains("section `CS2`"), "{lacks:?}");
         assert_eq!((lacks.place.line, lacks.place.path.as_deref()), (Some(3), Some(MEMBERS)));
     }
