@@ -17,6 +17,14 @@ use std::sync::Arc;
 /// Effect of the first Ctrl-C, as the log announces it.
 const WHEN_INTERRUPTED: &str = "nothing is written";
 
+/// What the numbers beside the joints are.
+const NOTE: &str = "\nN_Ed, M_Ed, V: largest forces of the column beside the joint in the ultimate limit state; the
+sweep has N_Ed and M_Ed.
+residual: what the members leave at the node in the worst load case, as a vertical force (up) and as
+a moment in the plane. It is the load at the node itself, which is in no table of members. The z
+axis of the column points to the side that leaves less.
+";
+
 /// From the forces of a frame program to a sweep of all its joints.
 #[derive(Debug, clap::Args)]
 pub struct ImportArgs {
@@ -142,19 +150,16 @@ fn page(imported: &Imported, next: &str) -> String {
         "N_Ed [kN]",
         "M_Ed [kN m]",
         "V [kN]",
-        "left [kN]",
+        "residual [kN]",
         "in",
-        "left [kN m]",
+        "residual [kN m]",
         "in",
     ];
     let rows: Vec<Vec<String>> = imported.joints.iter().map(row).collect();
     let mut text = out::columns(&head, &rows);
     let of_column = imported.joints.iter().any(|j| j.column.is_some());
     if of_column {
-        text += "\nN_Ed, M_Ed and V: the largest forces of the column beside the joint; the sweep \
-                 has N_Ed and M_Ed.\nleft: what the members leave at the node in the worst load \
-                 case, vertical (up) and moment in the\nplane. It is what acts at the node itself, \
-                 which is in no table of members.\n";
+        text += NOTE;
     }
     if imported.of_model > 0 {
         let n = imported.of_model;

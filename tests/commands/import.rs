@@ -1,6 +1,7 @@
 //! `bracket import` as the compiled program: a frame of two bays becomes a sweep of its joints.
 
 mod frame;
+mod guide;
 mod refused;
 mod residuals;
 mod sweeps;

@@ -87,7 +87,7 @@ fn same_verdicts(bench: &Bench) {
         }
     }
     let results = bench.read("s/results.csv");
-    assert!(results.contains("column"), "{results}");
+    assert!(results.contains("axial force of the column"), "{results}");
 }
 
 #[test]
