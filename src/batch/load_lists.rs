@@ -44,10 +44,19 @@ pub fn is_key(path: &SpecPath) -> bool {
 }
 
 /// Whether the rows or axes say which table the load cases come from. A base spec with a list has
-/// load cases that may be called like such a key.
-pub fn vary(base: &Value, dimensions: &[Dimension]) -> bool {
-    let list = base.get("loads").is_some_and(Value::is_array);
-    !list && dimensions.iter().any(|d| d.paths.iter().any(is_key))
+/// load cases that may be called like such a key; an empty list makes way for the table.
+pub fn vary(base: &mut Value, dimensions: &[Dimension]) -> bool {
+    if !dimensions.iter().any(|d| d.paths.iter().any(is_key)) {
+        return false;
+    }
+    match base.get_mut("loads") {
+        Some(Value::Array(list)) if !list.is_empty() => false,
+        Some(loads @ Value::Array(_)) => {
+            *loads = Value::Null;
+            true
+        }
+        _ => true,
+    }
 }
 
 impl LoadLists {
@@ -136,6 +145,22 @@ pub fn of_base(
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_list_of_the_base_is_no_table() {
+        let path = SpecPath::parse("loads.member").expect("a path");
+        let what = "the table".to_string();
+        let rows = [Dimension { what, table: true, paths: vec![path], steps: Vec::new() }];
+        for (mut base, is) in [
+            (json!({}), true),
+            (json!({"loads": []}), true),
+            (json!({"loads": {"table": "forces.csv"}}), true),
+            (json!({"loads": [{"name": "member"}]}), false),
+        ] {
+            assert_eq!(vary(&mut base, &rows), is, "{base}");
+            assert!(!vary(&mut base, &[]));
+        }
+    }
 
     #[test]
     fn keys_of_a_table() {

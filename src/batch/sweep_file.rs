@@ -53,7 +53,7 @@ impl SweepFile {
         })?;
         let sweep = yaml::parse::<Sweep>(&text, path)?;
         let here = path.parent().unwrap_or(Path::new(""));
-        let (base, base_index, file, folder) = base(&sweep, here)?;
+        let (mut base, base_index, file, folder) = base(&sweep, here)?;
         let of_spec = base.get("catalog").and_then(Value::as_str).map(|dir| folder.join(dir));
         let catalog_folder = catalog.map(Path::to_path_buf).or(of_spec);
         let catalog = open_catalog(catalog_folder.as_deref())?;
@@ -121,7 +121,7 @@ impl SweepFile {
         for (key, value) in &sweep.value.set {
             derived.push(Derived::read(key, value, &sweep.index)?);
         }
-        let named_by_rows = load_lists::vary(&base, &dimensions);
+        let named_by_rows = load_lists::vary(&mut base, &dimensions);
         let (base, mut load_tables) = match named_by_rows {
             true => (base, Vec::new()),
             false => load_lists::of_base(base, &base_index, &folder)?,
