@@ -3,8 +3,9 @@
 
 use super::derived::Derived;
 use super::dimension::{Dimension, Setting, words};
+use super::load_lists::{LoadLists, NamedTable, is_key};
 use super::spec_path::SpecPath;
-use bracket_base::diag::{Diagnostic, Diagnostics};
+use bracket_base::diag::{Diagnostic, Diagnostics, Place};
 use bracket_base::yaml::{self, PlaceIndex};
 use bracket_joint::spec::connection::ConnectionSpec;
 use serde::{Deserialize, Serialize};
@@ -23,6 +24,9 @@ pub struct Expansion {
     /// Values that follow from others.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub derived: Vec<Derived>,
+    /// Load cases by the table that rows and axes name.
+    #[serde(default, skip_serializing_if = "LoadLists::is_empty")]
+    pub loads: LoadLists,
 }
 
 /// Whose fault makes a combination unsound.
@@ -88,6 +92,7 @@ impl Expansion {
         for (d, step) in self.dimensions.iter().zip(steps) {
             d.set(step, &mut spec)?;
         }
+        self.loads.put(&mut spec);
         Ok(spec)
     }
 
@@ -127,6 +132,40 @@ impl Expansion {
         let mut steps: Vec<&Setting> = self.dimensions.iter().map(|d| &d.steps[0]).collect();
         steps[i] = step;
         self.with(&steps)
+    }
+
+    /// The tables of load cases that the rows and axes name, in every combination of those that
+    /// do.
+    pub fn load_tables<'a>(
+        &'a self,
+        base: &'a PlaceIndex,
+    ) -> impl Iterator<Item = NamedTable<'a>> + 'a {
+        let names = |d: &Dimension| d.paths.iter().any(is_key);
+        let steps = move |d: &Dimension| if names(d) { d.steps.len() } else { 1 };
+        let count: usize = self.dimensions.iter().map(steps).product();
+        let of = move |mut index: usize| {
+            let mut chosen: Vec<&Setting> = Vec::with_capacity(self.dimensions.len());
+            for d in &self.dimensions {
+                chosen.push(&d.steps[index % steps(d)]);
+                index /= steps(d);
+            }
+            let loads = self.with(&chosen).ok()?.get_mut("loads")?.take();
+            let place = move |at: &str| {
+                let own = self.dimensions.iter().zip(&chosen).find_map(|(d, step)| {
+                    let path = d.paths.iter().find(|p| covers(at, p.text()))?;
+                    Some((path, &step.place))
+                });
+                match own {
+                    Some((path, place)) => {
+                        let path = place.path.clone().unwrap_or_else(|| path.text().into());
+                        Place { path: Some(path), ..place.clone() }
+                    }
+                    None => base.place(at),
+                }
+            };
+            Some(NamedTable { loads, place: Box::new(place) })
+        };
+        (0..count).filter_map(of)
     }
 
     /// Checks every value of every dimension on its own, beside the first values of the others.

@@ -17,6 +17,8 @@ pub mod derived;
 pub mod dimension;
 pub mod expansion;
 pub mod forecast;
+pub mod import;
+pub mod load_lists;
 pub mod merged;
 #[cfg(feature = "parquet")]
 pub mod parquet_table;

@@ -116,6 +116,7 @@ impl Plan {
         let table = value.table.as_ref().map(|t| here.join(t));
         let mut sources = vec![path.to_path_buf(), file.expansion.file.clone()];
         sources.extend(table);
+        sources.extend(file.load_tables);
         sources.dedup();
         let remarks = unique(&mut cases);
         // the folder of a file in the current folder is empty

@@ -4,16 +4,14 @@ use super::axis;
 use super::derived::Derived;
 use super::dimension::{Dimension, words};
 use super::expansion::{Expansion, canonical, covers};
+use super::load_lists::{self, LoadLists};
 use super::sweep::{CapacityTable, Sweep, Then, meshes};
 use super::table;
 use bracket_base::diag::{Diagnostic, Diagnostics};
 use bracket_base::text_file;
 use bracket_base::yaml::{self, Parsed, PlaceIndex};
 use bracket_joint::catalog::Catalog;
-use bracket_joint::spec::load_table::LoadTable;
-use bracket_joint::spec::table_loads::listed;
-use serde::Deserialize;
-use serde_json::{Value, json};
+use serde_json::Value;
 use std::path::{Path, PathBuf};
 
 /// A sweep that was read and whose values are sound one by one.
@@ -28,6 +26,8 @@ pub struct SweepFile {
     pub catalog_folder: Option<PathBuf>,
     /// The catalogue.
     pub catalog: Catalog,
+    /// The tables of load cases that were read.
+    pub load_tables: Vec<PathBuf>,
 }
 
 /// The catalogue of a folder, or the built-in one.
@@ -53,8 +53,7 @@ impl SweepFile {
         })?;
         let sweep = yaml::parse::<Sweep>(&text, path)?;
         let here = path.parent().unwrap_or(Path::new(""));
-        let (base, base_index, file, folder) = base(&sweep, here)?;
-        let base = with_loads(base, &base_index, &folder)?;
+        let (mut base, base_index, file, folder) = base(&sweep, here)?;
         let of_spec = base.get("catalog").and_then(Value::as_str).map(|dir| folder.join(dir));
         let catalog_folder = catalog.map(Path::to_path_buf).or(of_spec);
         let catalog = open_catalog(catalog_folder.as_deref())?;
@@ -122,6 +121,11 @@ impl SweepFile {
         for (key, value) in &sweep.value.set {
             derived.push(Derived::read(key, value, &sweep.index)?);
         }
+        let named_by_rows = load_lists::vary(&mut base, &dimensions);
+        let (base, mut load_tables) = match named_by_rows {
+            true => (base, Vec::new()),
+            false => load_lists::of_base(base, &base_index, &folder)?,
+        };
         one_place_each(&dimensions, &derived, &base)
             .and_then(|()| tables_have_cases(&sweep.value.tables, &dimensions))
             .map_err(|(message, path, help)| at(message, &path, help))?;
@@ -132,9 +136,15 @@ impl SweepFile {
         if sweep.value.limits.threads == Some(0) {
             return Err(at("`limits.threads` is 0".into(), "limits.threads", "write 1 or more"));
         }
-        let mut expansion = Expansion { base, file, dimensions, derived };
+        let loads = LoadLists::default();
+        let mut expansion = Expansion { base, file, dimensions, derived, loads };
         expansion.settle(&base_index)?;
-        Ok(Self { sweep, expansion, folder, catalog_folder, catalog })
+        if named_by_rows {
+            let named = expansion.load_tables(&base_index);
+            let (lists, files) = LoadLists::read(named, &folder)?;
+            (expansion.loads, load_tables) = (lists, files);
+        }
+        Ok(Self { sweep, expansion, folder, catalog_folder, catalog, load_tables })
     }
 
     /// Whether cases are meshed.
@@ -208,19 +218,6 @@ fn tables_have_cases(tables: &[CapacityTable], dimensions: &[Dimension]) -> Resu
         }
     }
     Ok(())
-}
-
-/// The base spec with the load cases of the table that it names, if any.
-fn with_loads(mut base: Value, index: &PlaceIndex, folder: &Path) -> Result<Value, Diagnostics> {
-    let Some(loads @ Value::Object(_)) = base.get_mut("loads") else { return Ok(base) };
-    let table = LoadTable::deserialize(&*loads).map_err(|e| {
-        let help = "`bracket check` of the base spec says more";
-        let d = Diagnostic::input("sweep/base", format!("the loads of the base spec: {e}"));
-        Diagnostic { place: index.place("loads"), ..d.help(help) }
-    })?;
-    let listed = listed(&table, &folder.join(&table.table), |path| index.place(path))?;
-    *loads = listed.into_iter().map(|(_, load)| json!(load)).collect();
-    Ok(base)
 }
 
 /// The base spec: its value, its places, its file and its folder.

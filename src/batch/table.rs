@@ -35,7 +35,8 @@ fn place(file: &Path, line: usize, header: Option<&str>) -> Place {
     Place { file: Some(file.into()), line: Some(line), column: None, path }
 }
 
-fn of_grid(grid: &Grid, file: &Path) -> Result<Dimension, Diagnostics> {
+/// The joints of a table.
+pub(super) fn of_grid(grid: &Grid, file: &Path) -> Result<Dimension, Diagnostics> {
     let fault = |line: usize, header: Option<&str>, message: String, help: &str| Diagnostic {
         place: place(file, line, header),
         ..Diagnostic::input("sweep/table", message).help(help)

@@ -2,8 +2,8 @@
 
 use super::common::{CommandResult, Common};
 use super::{
-    analyse, batch, catalog, check, doctor, mesh, new, report, run, schema, study, templates,
-    verify, watch,
+    analyse, batch, catalog, check, doctor, import, mesh, new, report, run, schema, study,
+    templates, verify, watch,
 };
 use clap::{Parser, Subcommand};
 
@@ -42,6 +42,8 @@ pub enum Command {
     Verify(verify::VerifyArgs),
     /// Catalogues of joints: every row or combination checked and analysed.
     Batch(batch::BatchArgs),
+    /// From the forces of a frame program to a sweep of all its joints.
+    Import(import::ImportArgs),
     /// List and show catalogue data.
     Catalog(catalog::CatalogArgs),
     /// List the connection templates.
@@ -65,6 +67,7 @@ pub fn dispatch(cli: &Cli) -> CommandResult {
         Command::Report(args) => report::run(args, &cli.common),
         Command::Verify(args) => verify::run(args, &cli.common),
         Command::Batch(args) => batch::run(args, &cli.common),
+        Command::Import(args) => import::run(args, &cli.common),
         Command::Catalog(args) => catalog::run(args, &cli.common),
         Command::Templates(args) => templates::run(args, &cli.common),
         Command::Schema(args) => schema::run(args, &cli.common),

@@ -9,6 +9,7 @@ pub mod check;
 pub mod commands;
 pub mod common;
 pub mod doctor;
+pub mod import;
 pub mod mesh;
 pub mod new;
 pub mod report;

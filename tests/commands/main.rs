@@ -12,6 +12,7 @@ mod check;
 mod common;
 mod doctor;
 mod documents;
+mod import;
 mod library;
 mod mesh;
 mod paper_joint;

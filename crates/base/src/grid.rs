@@ -51,6 +51,19 @@ pub fn read(
     }
 }
 
+/// Names of the sheets of a workbook; none for a text. `unread`: see [`read`].
+pub fn sheet_names(
+    path: &Path,
+    unread: impl FnOnce(std::io::Error) -> Diagnostic,
+) -> Result<Vec<String>, Diagnostics> {
+    match text_file::read_table(path, unread)? {
+        Table::Text(_) => Ok(Vec::new()),
+        Table::Workbook(bytes) => {
+            workbook::sheet_names(&bytes).map_err(|f| Diagnostics::from(f.file(path)))
+        }
+    }
+}
+
 /// The table in a text.
 pub fn of_text(text: &str, comments: Comments) -> Result<Grid, Box<Diagnostic>> {
     // the line with which Excel is told the separator

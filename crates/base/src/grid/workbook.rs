@@ -8,13 +8,20 @@ use std::io::Cursor;
 /// Most cells of a sheet that are read.
 const MOST_CELLS: usize = 20_000_000;
 
+fn broken(e: calamine::Error) -> Box<Diagnostic> {
+    Diagnostic::input("table/workbook", format!("the workbook cannot be read: {e}"))
+        .help("open it in the program that wrote it, and save it as .xlsx or CSV again")
+        .into()
+}
+
+/// Names of the sheets.
+pub fn sheet_names(bytes: &[u8]) -> Result<Vec<String>, Box<Diagnostic>> {
+    let book: Sheets<_> = open_workbook_auto_from_rs(Cursor::new(bytes)).map_err(broken)?;
+    Ok(book.sheet_names())
+}
+
 /// Reads a sheet: the one that is named, else the only one, else the first of the `usual` ones.
 pub fn read(bytes: &[u8], sheet: Option<&str>, usual: &[&str]) -> Result<Grid, Box<Diagnostic>> {
-    let broken = |e: calamine::Error| -> Box<Diagnostic> {
-        Diagnostic::input("table/workbook", format!("the workbook cannot be read: {e}"))
-            .help("open it in the program that wrote it, and save it as .xlsx or CSV again")
-            .into()
-    };
     let mut book: Sheets<_> = open_workbook_auto_from_rs(Cursor::new(bytes)).map_err(broken)?;
     let names = book.sheet_names();
     let name = choose(&names, sheet, usual)?;
@@ -124,6 +131,7 @@ mod tests {
                     <row r=\"4\"><c r=\"A4\"><v>-0.10877399322016867</v></c>\
                     <c r=\"B4\"><v>7</v></c></row>";
         let bytes = workbook(&[("Model", ""), ("Forces", rows)]);
+        assert_eq!(sheet_names(&bytes).expect("a workbook"), ["Model", "Forces"]);
         let grid = read(&bytes, Some("Forces"), &[]).unwrap_or_else(|e| panic!("{e:?}"));
         assert_eq!((grid.sheet.as_deref(), grid.separator), (Some("Forces"), None));
         let told: Vec<(usize, Vec<&str>)> = grid

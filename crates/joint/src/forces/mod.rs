@@ -3,9 +3,13 @@
 mod headers;
 mod program;
 mod read;
+mod saf_model;
+mod tables;
 
 pub use program::{Program, Quantity};
 pub use read::{ForceRow, Source, names, read};
+pub use saf_model::{SafMember, SafModel};
+pub use tables::ForceTables;
 
 #[cfg(test)]
 mod tests;

@@ -3,7 +3,7 @@
 use super::connection::ConnectionSpec;
 use super::load_table::{LoadTable, Station};
 use super::loads::{Action, ActionPoint, LimitState, LoadSpec};
-use crate::forces::{ForceRow, Program, Quantity, Source, names, read};
+use crate::forces::{ForceRow, ForceTables, Program, Quantity, Source, names};
 use bracket_base::diag::{Diagnostic, Diagnostics, Place, did_you_mean};
 use bracket_base::yaml::Parsed;
 use std::collections::BTreeMap;
@@ -25,7 +25,8 @@ pub fn expand(
     if let Some(stored) = stored {
         (table, file) = (LoadTable::default(), stored.to_path_buf());
     }
-    let loads = listed(&table, &file, |path| spec.index.place(path))?;
+    let mut tables = ForceTables::default();
+    let loads = listed(&mut tables, &table, &file, |path| spec.index.place(path))?;
     for (line, load) in loads {
         spec.index.add(format!("loads[{}]", spec.value.loads.len()), &file, line);
         spec.value.loads.push(load);
@@ -57,13 +58,15 @@ pub fn written(loads: &[LoadSpec]) -> String {
     out.into_inner().ok().and_then(|bytes| String::from_utf8(bytes).ok()).unwrap_or_default()
 }
 
-/// The load cases of a table with their lines; `place`: the place of a key of the spec.
+/// The load cases of a table with their lines; `tables` keeps what is read, `place`: the place of a
+/// key of the spec.
 pub fn listed(
+    tables: &mut ForceTables,
     table: &LoadTable,
     file: &Path,
     place: impl Fn(&str) -> Place,
 ) -> Result<Vec<(usize, LoadSpec)>, Diagnostics> {
-    cases(table, file).map_err(|faults| {
+    cases(tables, table, file).map_err(|faults| {
         faults.map(|mut d| {
             // a fault of a row is in the table, one of a key in the spec
             if d.place.file.is_none() && d.place.line.is_some() {
@@ -78,18 +81,22 @@ pub fn listed(
     })
 }
 
-fn cases(table: &LoadTable, file: &Path) -> Result<Vec<(usize, LoadSpec)>, Diagnostics> {
+fn cases(
+    tables: &mut ForceTables,
+    table: &LoadTable,
+    file: &Path,
+) -> Result<Vec<(usize, LoadSpec)>, Diagnostics> {
     let sheet = table.sheet.as_deref();
     let source = Source { file, sheet, program: table.mapping, columns: &table.columns };
-    let (rows, given) = read(&source)?;
+    let (rows, given) = tables.of(&source)?;
     if table.mapping.is_some() && table.flip.is_none() && !table.at_an_end() {
         let message = "the table does not say at which end of the member the joint is";
         let help = "write `station: start` or `station: end`; or `flip: false` where the member \
                     starts at the joint and `flip: true` where it ends there";
         return Err(of_key("flip", message.into(), help));
     }
-    check_states(&rows, table)?;
-    let rows = of_member(&rows, table)?;
+    check_states(rows, table)?;
+    let rows = of_member(rows, table)?;
     let rows = of_cases(rows, table)?;
     let rows = at_station(rows, table)?;
     let mut loads: Vec<(usize, LoadSpec)> = Vec::new();
