@@ -18,8 +18,9 @@ use std::sync::Arc;
 const WHEN_INTERRUPTED: &str = "nothing is written";
 
 /// What the numbers beside the joints are.
-const NOTE: &str = "\nN_Ed, M_Ed, V: largest forces of the column beside the joint in the ultimate limit state; the
-sweep has N_Ed and M_Ed.
+const NOTE: &str = "
+N_Ed, M_Ed, V: largest forces of the column beside the joint in the ultimate limit state; the sweep
+has N_Ed and M_Ed.
 residual: what the members leave at the node in the worst load case, as a vertical force (up) and as
 a moment in the plane. It is the load at the node itself, which is in no table of members. The z
 axis of the column points to the side that leaves less.
