@@ -18,12 +18,12 @@ use std::sync::Arc;
 const WHEN_INTERRUPTED: &str = "nothing is written";
 
 /// What the numbers beside the joints are.
-const NOTE: &str = "\nN_Ed, M_Ed, V: largest forces of the column beside the joint in the ultimate limit state; the
-sweep has N_Ed and M_Ed.
-residual: what the members leave at the node in the worst load case, as a vertical force (up) and as
-a moment in the plane. It is the load at the node itself, which is in no table of members. The z
-axis of the column points to the side that leaves less.
-";
+const NOTE: &str = "\nN_Ed, M_Ed, V: largest forces of the column beside the joint in the \
+                    ultimate limit state; the\nsweep has N_Ed and M_Ed.\nresidual: what the \
+                    members leave at the node in the worst load case, as a vertical force (up) \
+                    and as\na moment in the plane. It is the load at the node itself, which is \
+                    in no table of members. The z\naxis of the column points to the side that \
+                    leaves less.\n";
 
 /// From the forces of a frame program to a sweep of all its joints.
 #[derive(Debug, clap::Args)]
