@@ -238,9 +238,11 @@ fn kit(
     let Ok(first) = first else {
         return Ok(Kit::new(folder, &expansion.file, catalog, Vec::new()));
     };
+    // an empty cell stands for the template of the base
+    let of_base = expansion.base.get("template");
     let varied = expansion.dimensions.iter().flat_map(|d| {
         let k = d.paths.iter().position(|p| p.text() == "template");
-        k.map(|k| d.steps.iter().filter_map(move |s| s.values[k].as_ref()?.as_str()))
+        k.map(|k| d.steps.iter().filter_map(move |s| s.values[k].as_ref().or(of_base)?.as_str()))
             .into_iter()
             .flatten()
     });

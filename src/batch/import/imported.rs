@@ -13,7 +13,8 @@ use crate::batch::load_lists::LoadLists;
 use crate::batch::sweep_file::open_catalog;
 use bracket_base::diag::{Diagnostic, Diagnostics};
 use bracket_base::text_file;
-use bracket_base::yaml::{self, Parsed};
+use bracket_base::yaml::{self, Parsed, PlaceIndex};
+use bracket_joint::assembly::template_file;
 use bracket_joint::catalog::Catalog;
 use bracket_joint::forces::{ForceTables, Program, SafModel};
 use bracket_report::result::folder::ResultFolder;
@@ -101,7 +102,7 @@ pub fn import(
         };
         expansion.settle(&index).map(|()| expansion)
     };
-    let templates = templates(&spec, &table, &from)?;
+    let templates = templates((&spec, &index), &table, &from)?;
     for (row, template) in table.rows.iter().zip(&templates) {
         template.check(row, &request.joints)?;
     }
@@ -130,6 +131,7 @@ pub fn import(
         }
     }
     settled(&table)?;
+    whole_paths(&mut table, &from);
     let folder = import_folder::begin(&request.out)?;
     begun(&folder);
     let sweep = import_folder::finish(folder, &table, &loads, (&spec, &from))?;
@@ -143,9 +145,22 @@ fn without_loads(spec: &Value) -> Value {
     spec
 }
 
+/// Makes the paths of templates in the table of joints absolute: they start from the folder of the
+/// base spec, and the table moves.
+fn whole_paths(table: &mut JointsTable, from: &Path) {
+    let Some(k) = table.values.paths.iter().position(|p| p.text() == "template") else { return };
+    for cells in &mut table.cells {
+        if template_file::is_path(&cells[k])
+            && let Ok(path) = std::path::absolute(from.join(&cells[k]))
+        {
+            cells[k] = path.to_string_lossy().into_owned();
+        }
+    }
+}
+
 /// The template of each joint, each read once.
 fn templates(
-    spec: &Value,
+    (spec, index): (&Value, &PlaceIndex),
     table: &JointsTable,
     from: &Path,
 ) -> Result<Vec<TemplateEnds>, Diagnostics> {
@@ -155,13 +170,24 @@ fn templates(
     for (step, row) in table.values.steps.iter().zip(&table.rows) {
         let own = column.and_then(|k| step.values[k].as_ref());
         let name = own.or(spec.get("template")).and_then(Value::as_str);
+        // a fault without a file is that of the name
+        let place = match own {
+            Some(_) => row.place(&table.file, "template"),
+            None => index.place("template"),
+        };
         let Some(name) = name else {
             let message = format!("joint `{}` has no template", row.name);
             let help = "write `template: NAME` into the base spec; `bracket templates` lists them";
-            return Err(Diagnostic::input("import/base", message).help(help).into());
+            let d = Diagnostic::input("import/base", message).help(help);
+            return Err(Diagnostic { place, ..d }.into());
         };
         if !known.contains_key(name) {
-            known.insert(name.into(), TemplateEnds::read(name, from)?);
+            let placed = |d: Diagnostic| match d.place.file {
+                None => Diagnostic { place: place.clone(), ..d },
+                Some(_) => d,
+            };
+            let read = TemplateEnds::read(name, from).map_err(|faults| faults.map(placed))?;
+            known.insert(name.into(), read);
         }
         out.extend(known.get(name).cloned());
     }

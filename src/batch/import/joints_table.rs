@@ -15,6 +15,9 @@ use std::path::{Path, PathBuf};
 /// Faults that are reported at once; a wrong column has one in every row.
 const SHOWN: usize = 5;
 
+/// Sheet of a workbook with several that holds the joints.
+const SHEET: &str = "joints";
+
 /// Keys of a spec that a joint may have of its own.
 const KEYS: [&str; 12] = [
     "project",
@@ -66,7 +69,7 @@ fn fault(
 impl JointsTable {
     /// Reads a table.
     pub fn read(file: &Path) -> Result<Self, Diagnostics> {
-        let grid = grid::read(file, None, &[], Comments::Hash, |e| {
+        let grid = grid::read(file, None, &[SHEET], Comments::Hash, |e| {
             let message = format!("the table of joints cannot be read: {e}");
             Diagnostic::input("import/joints", message)
                 .file(file)

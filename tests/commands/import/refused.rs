@@ -29,7 +29,34 @@ const ARGS: [&str; 10] = [
     "out",
 ];
 
-const WRONG: [Wrong<'_>; 20] = [
+const WRONG: [Wrong<'_>; 23] = [
+    (
+        "base.yaml",
+        "beam_to_column_end_plate",
+        "beam_to_colum",
+        "template/unknown",
+        "base.yaml:1",
+        "no template `beam_to_colum`",
+        "bracket templates",
+    ),
+    (
+        "joints.csv",
+        "parameters.double_sided",
+        "template",
+        "import/base",
+        "joints.csv:2",
+        "joint `A` has no template",
+        "bracket templates",
+    ),
+    (
+        "base.yaml",
+        "template: ",
+        "# ",
+        "import/base",
+        "base.yaml",
+        "has no template",
+        "bracket templates",
+    ),
     (
         "joints.csv",
         "member2",

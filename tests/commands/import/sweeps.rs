@@ -171,6 +171,28 @@ fn an_import_is_repeated() {
     assert!(bench.path().join("out/loads/B.csv").is_file());
 }
 
+/// Templates of the user's are found from the folder, whether the base spec or a joint names them.
+#[test]
+fn templates_of_the_user_are_found() {
+    let own = "extends: beam_to_column_end_plate\nname: mine\n";
+    let joints = JOINTS
+        .replace("parameters.double_sided", "template")
+        .replace("C1,C2,false", "C1,C2,t/a.yaml");
+    let joints = joints.replace("C3,C4,true", "C3,C4,").replace(",beam_left,B1,end,", ",,,,");
+    let bench = Bench::new().file("joints.csv", joints).file("forces.txt", sap2000(&SECTIONS));
+    std::fs::create_dir_all(bench.path().join("b/t")).expect("folders");
+    let bench = bench
+        .file("b/base.yaml", BASE.replace("beam_to_column_end_plate", "./t/b.yaml"))
+        .file("b/t/a.yaml", own)
+        .file("b/t/b.yaml", own.replace("mine", "other"));
+    let mut args = SAP;
+    args[5] = "b/base.yaml";
+    expect(&bench, &args, 0);
+    let run = bench.run(&["batch", "out/sweep.yaml", "-o", "s"]);
+    assert!(run.status.code().is_some_and(|c| c != 2), "{run:?}");
+    assert_eq!(["A", "B"].map(|n| swept(&bench, "s", n).len()), [3, 3]);
+}
+
 /// Load cases are chosen by name; a table without stations is read by its nodes.
 #[test]
 fn chosen_load_cases_and_nodes() {

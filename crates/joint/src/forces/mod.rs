@@ -9,7 +9,7 @@ mod tables;
 pub use program::{Program, Quantity};
 pub use read::{ForceRow, Source, names, read};
 pub use saf_model::{SafMember, SafModel};
-pub use tables::ForceTables;
+pub use tables::{ForceTable, ForceTables};
 
 #[cfg(test)]
 mod tests;

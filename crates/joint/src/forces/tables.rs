@@ -3,21 +3,61 @@
 use super::program::Quantity;
 use super::read::{ForceRow, Source, read};
 use bracket_base::diag::Diagnostics;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::path::PathBuf;
 
 /// What makes two sources the same: file, sheet, program, headers of the user.
 type Key = (PathBuf, Option<String>, Option<&'static str>, BTreeMap<Quantity, String>);
 
+/// A table of forces, with what finds the rows of a member among hundreds of thousands.
+#[derive(Clone, Debug, Default)]
+pub struct ForceTable {
+    /// The rows.
+    pub rows: Vec<ForceRow>,
+    /// Which actions its columns give: `N, Vy, Vz, T, My, Mz`.
+    pub given: [bool; 6],
+    /// Names of the load cases, each once.
+    pub cases: BTreeSet<String>,
+    /// Positions of the rows of each member; empty if a row has no member.
+    by_member: HashMap<String, Vec<usize>>,
+}
+
+impl ForceTable {
+    fn new((rows, given): (Vec<ForceRow>, [bool; 6])) -> Self {
+        let cases = rows.iter().filter_map(|r| r.text(Quantity::Case)).map(str::to_owned);
+        let cases = cases.collect();
+        let mut by_member: HashMap<String, Vec<usize>> = HashMap::new();
+        for (i, row) in rows.iter().enumerate() {
+            let Some(member) = row.text(Quantity::Member) else {
+                by_member.clear();
+                break;
+            };
+            match by_member.get_mut(member) {
+                Some(of) => of.push(i),
+                None => drop(by_member.insert(member.into(), vec![i])),
+            }
+        }
+        Self { rows, given, cases, by_member }
+    }
+
+    /// The rows among which those of a member are: its own, or all of them.
+    pub fn around(&self, member: Option<&str>) -> Vec<&ForceRow> {
+        match member.and_then(|m| self.by_member.get(m.trim())) {
+            Some(of) => of.iter().map(|i| &self.rows[*i]).collect(),
+            None => self.rows.iter().collect(),
+        }
+    }
+}
+
 /// The tables that were read.
 #[derive(Clone, Debug, Default)]
 pub struct ForceTables {
-    read: BTreeMap<Key, (Vec<ForceRow>, [bool; 6])>,
+    read: BTreeMap<Key, ForceTable>,
 }
 
 impl ForceTables {
-    /// The rows of a table, and which actions its columns give.
-    pub fn of(&mut self, source: &Source<'_>) -> Result<(&[ForceRow], [bool; 6]), Diagnostics> {
+    /// The table of a source.
+    pub fn of(&mut self, source: &Source<'_>) -> Result<&ForceTable, Diagnostics> {
         let key = (
             source.file.to_path_buf(),
             source.sheet.map(str::to_owned),
@@ -25,9 +65,8 @@ impl ForceTables {
             source.columns.clone(),
         );
         if !self.read.contains_key(&key) {
-            self.read.insert(key.clone(), read(source)?);
+            self.read.insert(key.clone(), ForceTable::new(read(source)?));
         }
-        let (rows, given) = &self.read[&key];
-        Ok((rows, *given))
+        Ok(&self.read[&key])
     }
 }

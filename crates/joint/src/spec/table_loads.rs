@@ -3,7 +3,7 @@
 use super::connection::ConnectionSpec;
 use super::load_table::{LoadTable, Station};
 use super::loads::{Action, ActionPoint, LimitState, LoadSpec};
-use crate::forces::{ForceRow, ForceTables, Program, Quantity, Source, names};
+use crate::forces::{ForceRow, ForceTable, ForceTables, Program, Quantity, Source, names};
 use bracket_base::diag::{Diagnostic, Diagnostics, Place, did_you_mean};
 use bracket_base::yaml::Parsed;
 use std::collections::BTreeMap;
@@ -88,20 +88,20 @@ fn cases(
 ) -> Result<Vec<(usize, LoadSpec)>, Diagnostics> {
     let sheet = table.sheet.as_deref();
     let source = Source { file, sheet, program: table.mapping, columns: &table.columns };
-    let (rows, given) = tables.of(&source)?;
+    let forces = tables.of(&source)?;
     if table.mapping.is_some() && table.flip.is_none() && !table.at_an_end() {
         let message = "the table does not say at which end of the member the joint is";
         let help = "write `station: start` or `station: end`; or `flip: false` where the member \
                     starts at the joint and `flip: true` where it ends there";
         return Err(of_key("flip", message.into(), help));
     }
-    check_states(rows, table)?;
-    let rows = of_member(rows, table)?;
+    check_states(forces, table)?;
+    let rows = of_member(forces.around(table.member.as_deref()), table)?;
     let rows = of_cases(rows, table)?;
     let rows = at_station(rows, table)?;
     let mut loads: Vec<(usize, LoadSpec)> = Vec::new();
     for row in rows {
-        let load = load(row, table, given).map_err(|(key, message, help)| {
+        let load = load(row, table, forces.given).map_err(|(key, message, help)| {
             let mut d = Diagnostic::input("loads/table", message).help(help);
             d.place = Place {
                 file: Some(file.into()),
@@ -139,10 +139,9 @@ fn of_key(key: &str, message: String, help: impl Into<String>) -> Diagnostics {
 
 /// The rows of the member and node that are asked for.
 fn of_member<'a>(
-    rows: &'a [ForceRow],
+    mut kept: Vec<&'a ForceRow>,
     table: &LoadTable,
 ) -> Result<Vec<&'a ForceRow>, Diagnostics> {
-    let mut kept: Vec<&ForceRow> = rows.iter().collect();
     let asked =
         [("member", Quantity::Member, &table.member), ("node", Quantity::Node, &table.node)];
     for (key, quantity, wanted) in asked {
@@ -263,8 +262,8 @@ fn of_row(row: &ForceRow, message: String, help: &str) -> Diagnostics {
 }
 
 /// Refuses a pattern of a limit state that no load case has, and a load case of two states.
-fn check_states(rows: &[ForceRow], table: &LoadTable) -> Result<(), Diagnostics> {
-    let names = || rows.iter().filter_map(|r| r.text(Quantity::Case));
+fn check_states(forces: &ForceTable, table: &LoadTable) -> Result<(), Diagnostics> {
+    let names = || forces.cases.iter().map(String::as_str);
     for (state, patterns) in &table.state {
         for pattern in patterns {
             if !names().any(|name| matches(pattern, name)) {
