@@ -75,10 +75,16 @@ pub fn dimension(
             v => Some(v),
         };
         let values = values.into_iter().map(given).collect();
-        Ok(Setting { name: None, values, expect: None, place })
+        Ok(Setting { name: None, values, expect: None, notes: Vec::new(), place })
     });
     let steps = steps.collect::<Result<Vec<_>, Box<Diagnostic>>>()?;
-    Ok(Dimension { what: format!("the axis `{key}`"), table: false, paths, steps })
+    Ok(Dimension {
+        what: format!("the axis `{key}`"),
+        table: false,
+        paths,
+        notes: Vec::new(),
+        steps,
+    })
 }
 
 /// The profiles of a range `IPE200..IPE400`, in the order of the catalogue.

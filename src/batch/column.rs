@@ -5,6 +5,9 @@ use bracket_base::units::{plain_minus, with_point};
 use bracket_codes::verdict::Verdict;
 use serde_json::{Number, Value};
 
+/// Start of the header of a note.
+pub const NOTE: &str = "note.";
+
 /// What a column holds.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Column {
@@ -12,13 +15,15 @@ pub enum Column {
     Name,
     /// Expected verdicts.
     Expect,
+    /// Texts of the user that stand in the tables of results as they are: `note.member`.
+    Note(String),
     /// Values of a path of the spec, with the unit of bare numbers.
     Path(SpecPath, Option<String>),
 }
 
 impl Column {
-    /// Reads a header: `name`, `expect`, or a path, with the unit of its numbers in brackets:
-    /// `loads.ULS1.My [kN m]`.
+    /// Reads a header: `name`, `expect`, `note.` with a word, or a path, with the unit of its
+    /// numbers in brackets: `loads.ULS1.My [kN m]`.
     pub fn parse(header: &str) -> Result<Self, String> {
         let header = header.trim();
         if header.is_empty() {
@@ -27,6 +32,7 @@ impl Column {
         match header.to_ascii_lowercase().as_str() {
             "name" => return Ok(Self::Name),
             "expect" => return Ok(Self::Expect),
+            lower if lower.starts_with(NOTE) => return Ok(Self::Note(header.into())),
             _ => {}
         }
         // a unit stands behind a blank: `rows[0]` is a position

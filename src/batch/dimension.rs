@@ -15,6 +15,9 @@ pub struct Setting {
     pub values: Vec<Option<Value>>,
     /// The verdict that the table expects.
     pub expect: Option<Verdict>,
+    /// Texts of the notes, in the order of their columns.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub notes: Vec<String>,
     /// Where the step is written; for messages while the sweep is planned.
     #[serde(skip)]
     pub place: Place,
@@ -39,6 +42,9 @@ pub struct Dimension {
     pub table: bool,
     /// The paths that change.
     pub paths: Vec<SpecPath>,
+    /// Columns of notes, which change nothing and stand in the tables of results.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub notes: Vec<String>,
     /// Their values.
     pub steps: Vec<Setting>,
 }

@@ -112,6 +112,13 @@ impl Expansion {
         out
     }
 
+    /// The notes of a combination by their columns.
+    pub fn notes(&self, index: u64) -> Vec<(&str, &str)> {
+        let pairs = self.dimensions.iter().zip(self.steps(index));
+        let of = pairs.flat_map(|(d, step)| d.notes.iter().zip(&step.notes));
+        of.map(|(header, text)| (header.as_str(), text.as_str())).collect()
+    }
+
     /// Name of a combination: that of the table, followed by the values of the axes.
     pub fn name(&self, index: u64) -> String {
         let steps = self.steps(index);

@@ -150,7 +150,13 @@ mod tests {
     fn a_list_of_the_base_is_no_table() {
         let path = SpecPath::parse("loads.member").expect("a path");
         let what = "the table".to_string();
-        let rows = [Dimension { what, table: true, paths: vec![path], steps: Vec::new() }];
+        let rows = [Dimension {
+            what,
+            table: true,
+            paths: vec![path],
+            notes: Vec::new(),
+            steps: Vec::new(),
+        }];
         for (mut base, is) in [
             (json!({}), true),
             (json!({"loads": []}), true),

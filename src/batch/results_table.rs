@@ -165,6 +165,9 @@ fn row(
 ) -> Map<String, Value> {
     let mut row = Map::new();
     row.insert("case".into(), json!(case.name));
+    for (header, text) in plan.header.expansion.notes(case.index) {
+        row.insert(header.into(), json!(text));
+    }
     for (path, value) in plan.header.expansion.values(case.index) {
         row.insert(path.into(), json!(value));
     }

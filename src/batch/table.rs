@@ -55,8 +55,8 @@ pub(super) fn of_grid(grid: &Grid, file: &Path) -> Result<Dimension, Diagnostics
         return Err(fault(*first, None, message, help).into());
     }
     let columns = columns(headers).map_err(|faults| {
-        let help = "a header is `name`, `expect`, or a path of the spec, with the unit of its \
-                    numbers behind it: `loads.ULS1.My [kN m]`";
+        let help = "a header is `name`, `expect`, `note.` with a word, or a path of the spec, \
+                    with the unit of its numbers behind it: `loads.ULS1.My [kN m]`";
         faults.map(|(header, message)| fault(*first, Some(&header), message, help))
     })?;
     let mut steps = Vec::new();
@@ -76,6 +76,7 @@ pub(super) fn of_grid(grid: &Grid, file: &Path) -> Result<Dimension, Diagnostics
             name: None,
             values: Vec::new(),
             expect: None,
+            notes: Vec::new(),
             place: place(file, line, None),
         };
         for ((header, column), cell) in headers.iter().zip(&columns).zip(cells) {
@@ -85,6 +86,10 @@ pub(super) fn of_grid(grid: &Grid, file: &Path) -> Result<Dimension, Diagnostics
                     Ok(())
                 }
                 Column::Expect => column::verdict(cell).map(|v| step.expect = v),
+                Column::Note(_) => {
+                    step.notes.push(cell.clone());
+                    Ok(())
+                }
                 Column::Path(_, unit) => {
                     if let Some(sign) = column::decimal_sign(cell) {
                         signs[usize::from(sign == ',')].get_or_insert((line, cell.clone()));
@@ -125,12 +130,16 @@ pub(super) fn of_grid(grid: &Grid, file: &Path) -> Result<Dimension, Diagnostics
         let help = "each row below the header is a joint";
         return Err(fault(*first, None, "the table has a header but no rows".into(), help).into());
     }
-    let paths = columns.into_iter().filter_map(|c| match c {
-        Column::Path(path, _) => Some(path),
-        _ => None,
-    });
+    let (mut paths, mut notes) = (Vec::new(), Vec::new());
+    for column in columns {
+        match column {
+            Column::Path(path, _) => paths.push(path),
+            Column::Note(header) => notes.push(header),
+            Column::Name | Column::Expect => {}
+        }
+    }
     let what = format!("the table `{}`", file.display());
-    Ok(Dimension { what, table: true, paths: paths.collect(), steps })
+    Ok(Dimension { what, table: true, paths, notes, steps })
 }
 
 /// The columns of a header, or the faulty headers with the reason.

@@ -1,7 +1,9 @@
 //! The folder of an import: a sweep, its base spec, its table, and the load cases of each joint.
 
 use super::end_loads::EndLoads;
+use super::joint_row::{JointRow, MemberAt};
 use super::joints_table::JointsTable;
+use crate::batch::column::NOTE;
 use crate::batch::worker::absolute;
 use bracket_base::diag::{Diagnostic, Diagnostics};
 use bracket_base::yaml;
@@ -52,16 +54,48 @@ fn joints(table: &JointsTable, files: &[String]) -> Result<String, Diagnostics> 
     let mut out = csv::Writer::from_writer(Vec::new());
     let expect = table.expect.iter().map(|_| "expect");
     let words = ["name", "loads.table"].into_iter().chain(expect);
-    let headers = words.chain(table.headers.iter().map(String::as_str));
+    let notes = notes(table);
+    let headers = words.chain(notes.iter().map(|(header, _)| header.as_str()));
+    let headers = headers.chain(table.headers.iter().map(String::as_str));
     out.write_record(headers).map_err(|e| fault(&e))?;
     for (i, row) in table.rows.iter().enumerate() {
         let expect = table.expect.iter().map(|e| e[i].as_str());
         let words = [row.name.as_str(), files[i].as_str()].into_iter().chain(expect);
+        let words = words.chain(notes.iter().map(|(_, texts)| texts[i].as_str()));
         let cells = words.chain(table.cells[i].iter().map(String::as_str));
         out.write_record(cells).map_err(|e| fault(&e))?;
     }
     let bytes = out.into_inner().map_err(|e| fault(&e))?;
     String::from_utf8(bytes).map_err(|e| fault(&e))
+}
+
+/// The members at the ends of each joint, under the names of the table of forces: columns of notes,
+/// which the tables of results repeat. Columns that are empty or that the user gives are left out.
+fn notes(table: &JointsTable) -> Vec<(String, Vec<String>)> {
+    let name = |at: &MemberAt| at.member.clone();
+    let texts = |row: &JointRow| -> [Option<String>; 6] {
+        let (first, second) = (row.ends.first(), row.ends.get(1));
+        [
+            first.map(|e| e.end.clone()),
+            first.map(|e| name(&e.member)),
+            second.map(|e| e.end.clone()),
+            second.map(|e| name(&e.member)),
+            row.below.as_ref().map(name),
+            row.above.as_ref().map(name),
+        ]
+    };
+    let names = ["end", "member", "end2", "member2", "column_below", "column_above"];
+    let mut out = Vec::new();
+    for (i, name) in names.into_iter().enumerate() {
+        let header = format!("{NOTE}{name}");
+        let texts: Vec<String> =
+            table.rows.iter().map(|row| texts(row)[i].clone().unwrap_or_default()).collect();
+        let given = table.headers.iter().any(|h| h.eq_ignore_ascii_case(&header));
+        if !given && texts.iter().any(|t| !t.is_empty()) {
+            out.push((header, texts));
+        }
+    }
+    out
 }
 
 /// The base spec with the load cases of the first joint. `from`: the folder of its paths.

@@ -88,6 +88,11 @@ fn same_verdicts(bench: &Bench) {
     }
     let results = bench.read("s/results.csv");
     assert!(results.contains("axial force of the column"), "{results}");
+    // under the names that came in
+    let header = results.lines().next().unwrap_or_default();
+    let notes = "case,note.end,note.member,note.end2,note.member2,note.column_below,";
+    assert!(header.starts_with(notes), "{header}");
+    assert!(results.lines().any(|l| l.starts_with("B,beam_right,B2,beam_left,B1,")), "{results}");
 }
 
 #[test]
