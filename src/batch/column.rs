@@ -6,7 +6,7 @@ use bracket_codes::verdict::Verdict;
 use serde_json::{Number, Value};
 
 /// Start of the header of a note.
-pub const NOTE: &str = "note.";
+pub const NOTE_MARK: &str = "note.";
 
 /// What a column holds.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,7 +32,7 @@ impl Column {
         match header.to_ascii_lowercase().as_str() {
             "name" => return Ok(Self::Name),
             "expect" => return Ok(Self::Expect),
-            lower if lower.starts_with(NOTE) => return Ok(Self::Note(header.into())),
+            lower if lower.starts_with(NOTE_MARK) => return Ok(Self::Note(header.into())),
             _ => {}
         }
         // a unit stands behind a blank: `rows[0]` is a position

@@ -61,7 +61,7 @@ struct Chosen {
 }
 
 /// The columns behind the varied paths.
-static COLUMNS: [Column; 24] = [
+static COLUMNS: [Column; 26] = [
     text("load_case", |f| json!(f.load.map(|l| &l.case))),
     number("N", "kN", |f| json!(f.action(0).map(|n| 1e-3 * n))),
     number("V", "kN", |f| json!(f.action(1).map(|v| 1e-3 * v))),
@@ -90,6 +90,8 @@ static COLUMNS: [Column; 24] = [
     number("seconds", "", |f| json!(f.record.and_then(|r| r.seconds))),
     text("result", |f| json!(f.record.filter(|r| r.result).map(Record::folder))),
     text("cause", |f| json!(f.cause())),
+    text("end", |f| json!(f.load.and_then(|l| l.end.as_ref()))),
+    text("reason", |f| json!(f.judged().and_then(|l| l.reason.as_ref()))),
 ];
 
 /// The columns of the choice.

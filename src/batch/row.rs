@@ -2,6 +2,7 @@
 
 use super::sweep::Who;
 use bracket_base::diag::ExitStatus;
+use bracket_codes::Judgement;
 use bracket_codes::judgement::Governing;
 use bracket_codes::verdict::{Route, Verdict};
 use serde::{Deserialize, Serialize};
@@ -111,6 +112,20 @@ pub struct LoadRow {
     /// first; without checks as the case gives them.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub actions: Option<[f64; 3]>,
+    /// The member end of these actions.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub end: Option<String>,
+    /// Why the load case is not OK, and what would decide it; absent where it is.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub reason: Option<String>,
+}
+
+impl LoadRow {
+    /// The reason of a judgement that is not OK.
+    pub fn reason(judgement: &Judgement) -> Option<String> {
+        let told = matches!(judgement.verdict, Verdict::NotOk | Verdict::Undecided);
+        told.then(|| judgement.reason.to_string())
+    }
 }
 
 /// The record of a case.

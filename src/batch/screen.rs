@@ -126,6 +126,8 @@ fn record(key: &str, joint: &Joint, spec: &ConnectionSpec) -> Record {
     let (all, each) = by_code(&mut checks, &demands);
     let rows = demands.iter().zip(each).map(|(demand, j)| {
         let method = method(&checks, &demand.case);
+        let actions = actions(joint, &checks, &demand.case);
+        let reason = LoadRow::reason(&j);
         LoadRow {
             case: demand.case.clone(),
             verdict: j.verdict,
@@ -139,7 +141,9 @@ fn record(key: &str, joint: &Joint, spec: &ConnectionSpec) -> Record {
             moment_resistance: method.0,
             component_factor: method.1,
             component_stiffness: method.2,
-            actions: actions(joint, &checks, &demand.case),
+            end: actions.as_ref().map(|(end, _)| end.clone()),
+            actions: actions.map(|(_, a)| a),
+            reason,
         }
     });
     let rows = rows.collect();
@@ -168,14 +172,15 @@ fn method(checks: &HandChecks, case: &str) -> (Option<f64>, Option<f64>, Option<
     (first.map(|c| c.resistance), first.and_then(|c| c.factor), stiffness)
 }
 
-/// N, Vz and My at the bolt plane of the member end that reaches its resistance first.
-fn actions(joint: &Joint, checks: &HandChecks, case: &str) -> Option<[f64; 3]> {
+/// The member end that reaches its resistance first, with its N, Vz and My at the bolt plane.
+fn actions(joint: &Joint, checks: &HandChecks, case: &str) -> Option<(String, [f64; 3])> {
     let end = first_end(checks.comparisons().filter(|c| c.case == case)).map(|c| &c.end);
     let plane = joint.facts.as_ref()?.actions();
     let mine =
         |of_end: bool| plane.iter().find(|a| a.case == case && (!of_end || Some(&a.end) == end));
-    let [[n, _, vz], [_, my, _]] = mine(end.is_some())?.at(1.0);
-    Some([n, vz, my])
+    let found = mine(end.is_some())?;
+    let [[n, _, vz], [_, my, _]] = found.at(1.0);
+    Some((found.end.clone(), [n, vz, my]))
 }
 
 /// Of the member ends of a load case the one that reaches its resistance first.

@@ -23,8 +23,8 @@ const BODY: &str = include_str!("summary/body.html");
 /// Rows that the page holds: a browser sorts and filters so many without delay.
 const MOST_ROWS: usize = 20_000;
 
-/// The rows, at most `most`: the worst outcome first, then the largest utilisation. Rows that are
-/// open come first.
+/// The rows, at most `most`: the worst outcome first, then the worst verdict of a load case, then
+/// the largest utilisation. Rows that are open come first.
 pub fn worst_first(rows: &[Map<String, Value>], most: usize) -> Vec<&Map<String, Value>> {
     let mut out: Vec<&Map<String, Value>> = rows.iter().collect();
     let rank =
@@ -34,8 +34,15 @@ pub fn worst_first(rows: &[Map<String, Value>], most: usize) -> Vec<&Map<String,
         let by_bounds = of("utilisation_up");
         of("governing_utilisation").into_iter().chain(by_bounds).fold(f64::NEG_INFINITY, f64::max)
     };
+    let verdict = |r: &Map<String, Value>| match r.get("verdict").and_then(Value::as_str) {
+        Some("not_ok") => 0,
+        Some("undecided") => 1,
+        Some("none") => 3,
+        _ => 2,
+    };
+    let order = |r: &Map<String, Value>| (rank(r), verdict(r));
     // a stable sort: equal rows keep the order of the sweep
-    out.sort_by(|a, b| rank(a).cmp(&rank(b)).then(used(b).total_cmp(&used(a))));
+    out.sort_by(|a, b| order(a).cmp(&order(b)).then(used(b).total_cmp(&used(a))));
     out.truncate(most);
     out
 }

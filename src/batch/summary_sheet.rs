@@ -105,8 +105,12 @@ fn cases(rows: &[Map<String, Value>], words: &Words) -> Vec<Block> {
             (_, _, Value::String(s)) if key == "outcome" => {
                 let named = |word: &str| Outcome::ALL.into_iter().find(|o| o.word() == word);
                 // the outcome is that of the joint, the row that of one of its load cases
-                let own = row.get("verdict").and_then(Value::as_str).and_then(named);
+                let verdict = row.get("verdict").and_then(Value::as_str);
+                let own = verdict.and_then(named);
                 let outcome = match named(s) {
+                    Some(Outcome::Ok | Outcome::NotOk) if verdict == Some("none") => {
+                        return Text::given("–");
+                    }
                     Some(Outcome::Ok | Outcome::NotOk | Outcome::Undecided) => own.or(named(s)),
                     other => other,
                 };
@@ -156,13 +160,15 @@ mod tests {
             row("U2", "not_ok", json!("ok")),
             row("U3", "timed_out", json!("ok")),
             row("U4", "undecided", json!("none")),
+            row("S1", "not_ok", json!("none")),
         ];
         let blocks = cases(&rows, &Words::default());
         let [Block::Table { table }] = &blocks[..] else { panic!("{blocks:?}") };
         let text = |cell: &[bracket_report::document::block::Span]| cell[0].text.clone();
         let found: BTreeMap<String, String> =
             table.rows.iter().map(|r| (text(&r[1]), text(&r[5]))).collect();
-        let want = [("U1", "not ok"), ("U2", "ok"), ("U3", "timed out"), ("U4", "undecided")];
+        let want =
+            [("U1", "not ok"), ("U2", "ok"), ("U3", "timed out"), ("U4", "undecided"), ("S1", "–")];
         assert_eq!(found, want.map(|(k, v)| (k.into(), v.into())).into());
     }
 }

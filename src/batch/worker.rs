@@ -336,6 +336,8 @@ fn finished(job: &Job, result: &ResultFile) -> Record {
         let (lower, upper) = c.factor_bounds();
         let first = first_end(demand.component_method.iter());
         let at = record.loads.iter().position(|l| l.case == c.name);
+        let judged = result.load_cases.iter().find(|l| l.case == c.name);
+        let judgement = judged.map(|l| &l.judgement).or(result.judgement.as_ref());
         let row = LoadRow {
             case: c.name.clone(),
             verdict: demand.verdict,
@@ -353,6 +355,11 @@ fn finished(job: &Job, result: &ResultFile) -> Record {
                 Some(i) => record.loads[i].actions,
                 None => first.and_then(|m| given(demand, &m.end)),
             },
+            end: match at {
+                Some(i) => record.loads[i].end.clone(),
+                None => first.map(|m| m.end.clone()),
+            },
+            reason: judgement.and_then(LoadRow::reason),
         };
         match at {
             Some(i) => record.loads[i] = row,

@@ -147,10 +147,13 @@ impl Runner<'_, '_, '_> {
         let mut cover = Cover::new(group.iter().map(of).collect());
         let mut directions: Vec<Direction> = Vec::new();
         let mut pending: VecDeque<Actions> = VecDeque::new();
+        // open load cases when the directions were chosen, and their number
+        let mut chosen: Option<[usize; 2]> = None;
+        let mut cases_only = false;
         loop {
             let mut open = cover.open();
-            // an interrupted run has at least one answer
-            if open.is_empty() || self.runs > 0 && self.limits.interrupt.asked() {
+            // a run that ends early has at least one answer
+            if open.is_empty() || self.runs > 0 && self.is_over() {
                 break;
             }
             open.sort_by(|a, b| wanted[group[*b]].by_code.total_cmp(&wanted[group[*a]].by_code));
@@ -158,14 +161,21 @@ impl Runner<'_, '_, '_> {
                 self.log.line(format!("{} load cases are open", open.len()));
             }
             if pending.is_empty() {
-                match plan::next(&cover, &open) {
+                // directions that decide less than as many load cases of their own would: no more
+                if let Some([at_first, count]) = chosen.take() {
+                    cases_only |= open.len() + count > at_first;
+                }
+                match plan::next(&cover, &open, cases_only) {
                     Next::Case(k) => {
                         let Wanted { name, file, .. } = &wanted[group[k]];
                         let run = self.run(name, file.clone(), open.len())?;
                         cover.runs.push(run);
                         continue;
                     }
-                    Next::Directions(all) => pending = all.into(),
+                    Next::Directions(all) => {
+                        chosen = Some([open.len(), all.len()]);
+                        pending = all.into();
+                    }
                 }
             }
             let Some(actions) = pending.pop_front() else { break };
@@ -184,6 +194,12 @@ impl Runner<'_, '_, '_> {
         let of_directions =
             directions.iter().filter_map(|d| Some(own(&d.name)?.entry.clone())).collect();
         Ok(Found { entries, directions, of_directions })
+    }
+
+    /// Whether an interrupt or the time ends the run.
+    fn is_over(&self) -> bool {
+        let late = self.limits.time.is_some_and(|t| self.log.seconds() >= t);
+        late || self.limits.interrupt.asked()
     }
 
     /// Analyses one case; `left`: number of analyses of its group that may be needed at most.

@@ -121,7 +121,8 @@ fn excerpt(place: &Place) -> Option<Excerpt> {
         }
     }
     let fault = kept.pop()?;
-    if fault.len() > LONGEST_LINE {
+    // a workbook has no lines to show
+    if fault.len() > LONGEST_LINE || fault.contains(['\0', char::REPLACEMENT_CHARACTER]) {
         return None;
     }
     let mut source = String::new();

@@ -3,7 +3,7 @@
 use super::end_loads::EndLoads;
 use super::joint_row::{JointRow, MemberAt};
 use super::joints_table::JointsTable;
-use crate::batch::column::NOTE;
+use crate::batch::column::NOTE_MARK;
 use crate::batch::worker::absolute;
 use bracket_base::diag::{Diagnostic, Diagnostics};
 use bracket_base::yaml;
@@ -87,7 +87,7 @@ fn notes(table: &JointsTable) -> Vec<(String, Vec<String>)> {
     let names = ["end", "member", "end2", "member2", "column_below", "column_above"];
     let mut out = Vec::new();
     for (i, name) in names.into_iter().enumerate() {
-        let header = format!("{NOTE}{name}");
+        let header = format!("{NOTE_MARK}{name}");
         let texts: Vec<String> =
             table.rows.iter().map(|row| texts(row)[i].clone().unwrap_or_default()).collect();
         let given = table.headers.iter().any(|h| h.eq_ignore_ascii_case(&header));

@@ -17,6 +17,8 @@ const SHARE: f64 = 0.8;
 const MOST_CORNERS: usize = 2;
 /// Load cases that are tried as the next one.
 const TRIED: usize = 12;
+/// Load cases, the worst ones, by which a choice is weighed: each takes a linear program.
+const WEIGHED: usize = 300;
 
 /// What runs next.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,25 +30,28 @@ pub enum Next {
 }
 
 /// The next analyses, for the load cases `open`, the worst first; there is at least one. A load
-/// case unless other actions are expected to decide more cases for each analysis.
-pub fn next(cover: &Cover, open: &[usize]) -> Next {
+/// case unless other actions are expected to decide more cases for each analysis; `cases_only`: a
+/// load case in any case.
+pub fn next(cover: &Cover, open: &[usize], cases_only: bool) -> Next {
     let alone = Next::Case(open[0]);
     if cover.runs.is_empty() || open.len() < 2 {
         return alone;
     }
     let forecast = Forecast::new(cover);
     let targets: Vec<Vec<f64>> = open.iter().map(|&i| cover.scaled(cover.actions(i))).collect();
+    let weighed = &targets[..targets.len().min(WEIGHED)];
     let (mut best, mut most) = (alone, 0.0);
-    for (k, target) in targets.iter().enumerate().take(TRIED) {
+    for (k, target) in weighed.iter().enumerate().take(TRIED) {
         // its own analysis decides a case, whatever it proves of others
-        let others = [&targets[..k], &targets[k + 1..]].concat();
+        let others = [&weighed[..k], &weighed[k + 1..]].concat();
         let decided = 1.0 + forecast.decided(&others, std::slice::from_ref(target)) as f64;
         if decided > most {
             (best, most) = (Next::Case(open[k]), decided);
         }
     }
-    for bundle in [Corners::Box, Corners::Simplex].iter().filter_map(|c| rays(&targets, *c)) {
-        let decided = forecast.decided(&targets, &bundle) as f64 / bundle.len() as f64;
+    let kinds: &[Corners] = if cases_only { &[] } else { &[Corners::Box, Corners::Simplex] };
+    for bundle in kinds.iter().filter_map(|c| rays(&targets, *c)) {
+        let decided = forecast.decided(weighed, &bundle) as f64 / bundle.len() as f64;
         if decided > most {
             let actions = bundle.iter().map(|p| cover.unscaled(p)).collect();
             (best, most) = (Next::Directions(actions), decided);
@@ -193,6 +198,46 @@ fn rays(targets: &[Vec<f64>], corners: Corners) -> Option<Vec<Vec<f64>>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use bracket_engine::model::AnalysisKind;
+    use bracket_report::result::case_result::CaseResult;
+    use bracket_report::result::certificate::Certificate;
+    use bracket_report::result::derived_bounds::Run;
+    use bracket_report::result::quantity::{FrictionModel, Quantity};
+
+    /// Thirty load cases of one face, of which the first was analysed and is carried 1.5 times.
+    fn cover() -> Cover {
+        let case = |i: usize| {
+            let wave = |k: usize| ((3 + 7 * i + 5 * k * i * i) % 13) as f64 / 6.0 - 1.0;
+            let size = 1e6 * (30 - i) as f64;
+            let force = |k: usize| 4e-3 * size * wave(k);
+            (format!("LC{i}"), vec![[force(1), 0.0, force(2), 0.0, size, 0.0]])
+        };
+        let mut cover = Cover::new((0..30).map(case).collect());
+        let of = (Quantity::LoadFactor, FrictionModel::Frictionless);
+        let certificate = Some(Certificate { strict: true, ..Certificate::default() });
+        let entry = CaseResult {
+            lower: Some(1.5),
+            certificate,
+            ..CaseResult::empty("LC0", AnalysisKind::Limit, of)
+        };
+        let actions = cover.actions(0).clone();
+        cover.runs.push(Run { entry, actions, half_space: None });
+        cover
+    }
+
+    /// Directions around many load cases decide more than any of them, if they may; else the load
+    /// case that decides most, one after the other until none is open.
+    #[test]
+    fn directions_or_load_cases() {
+        let cover = cover();
+        let open = cover.open();
+        // two others lie on the ray of the first
+        assert_eq!(open.len(), 27);
+        let Next::Directions(rays) = next(&cover, &open, false) else { panic!("a load case") };
+        assert_eq!(rays.len(), 3);
+        let Next::Case(_) = next(&cover, &open, true) else { panic!("directions") };
+        assert_eq!(next(&cover, &open[..1], false), Next::Case(open[0]));
+    }
 
     /// Whatever varies, each target is within the cone of the rays.
     #[test]

@@ -43,12 +43,24 @@ pub fn decimal_sign<'a>(cells: impl Iterator<Item = &'a str> + Clone) -> Result<
 }
 
 /// A number with this decimal sign; `None` if the cell is no finite number. What may stand between
-/// thousands is left out: the other sign, blanks and apostrophes.
+/// thousands is left out: the other sign, blanks and apostrophes. They must stand between groups of
+/// three digits; the other sign alone, as in `1.003` among decimal commas, is no number: it may be
+/// the decimal sign of another hand.
 pub fn number(cell: &str, decimal: char) -> Option<f64> {
     let plain = plain_minus(cell.trim());
-    let kept = |c: &char| {
-        *c == decimal || !(SIGNS.contains(c) || c.is_whitespace() || matches!(c, '\'' | '’'))
+    let grouping = |c: char| {
+        c != decimal && (SIGNS.contains(&c) || c.is_whitespace() || matches!(c, '\'' | '’'))
     };
+    let digits = digits_of(&plain);
+    let (whole, decimals) =
+        digits.split_once(decimal).map_or((digits, None), |(w, d)| (w, Some(d)));
+    let groups: Vec<&str> = whole.split(grouping).collect();
+    let even = groups[1..].iter().all(|g| g.len() == 3) && groups[0].len() <= 3;
+    let alone = decimals.is_none() && groups.len() == 2 && whole.contains(SIGNS);
+    if decimals.is_some_and(|d| d.contains(grouping)) || groups.len() > 1 && (!even || alone) {
+        return None;
+    }
+    let kept = |c: &char| !grouping(*c);
     let text: String =
         plain.chars().filter(kept).map(|c| if c == decimal { '.' } else { c }).collect();
     // the words of floating-point numbers are no numbers of a table
@@ -107,7 +119,13 @@ mod tests {
     fn numbers_with_a_known_sign() {
         for (cell, decimal, value) in [
             ("12,345", ',', Some(12.345)),
-            ("12,345", '.', Some(12345.0)),
+            ("12,345", '.', None),
+            ("1.003", ',', None),
+            ("1,2.5", '.', None),
+            ("1234.567,5", ',', None),
+            ("12,345,678", '.', Some(12_345_678.0)),
+            ("12,345.6", '.', Some(12_345.6)),
+            ("1 234", '.', Some(1234.0)),
             ("−1.234,5", ',', Some(-1234.5)),
             ("1 234,5", ',', Some(1234.5)),
             ("1'234.5", '.', Some(1234.5)),

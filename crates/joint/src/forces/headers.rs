@@ -105,7 +105,7 @@ impl Headers {
         let Some(at) = best.filter(|i| score(&rows[*i]) > 0) else {
             return Err(no_header(rows, program, own));
         };
-        let row = &rows[at];
+        let row = &with_titles(rows, at, program);
         let by_header =
             |q: &Quantity| !own.contains_key(q) && !matching(row, *q, program, own).is_empty();
         let guessed = program.is_none() && Quantity::ACTIONS.iter().any(by_header);
@@ -146,6 +146,28 @@ impl Headers {
         let first = at + 1 + usize::from(units.is_some());
         Ok(Self { first, columns, texts: row.cells.clone() })
     }
+}
+
+/// The header at `at`, with the names above it of columns that it does not name itself: programs
+/// write `Lastfall` over an empty cell and `Stab` over `Nr.`.
+fn with_titles(rows: &[Row], at: usize, program: Option<Program>) -> Row {
+    let mut row = rows[at].clone();
+    let Some(above) = at.checked_sub(1).map(|i| &rows[i]) else { return row };
+    let none = BTreeMap::new();
+    let names = |cell: &str, text_only: bool| {
+        let alone = Row { line: row.line, cells: vec![cell.to_owned()] };
+        let of = |q: &&Quantity| !text_only || q.action().is_none();
+        Quantity::ALL.iter().filter(of).any(|q| !matching(&alone, *q, program, &none).is_empty())
+    };
+    let mut found: Vec<(usize, String)> = Vec::new();
+    for (i, cell) in row.cells.iter().enumerate() {
+        let title = above.cells.get(i).map_or("", String::as_str);
+        if !names(cell, false) && names(title, true) {
+            found.push((i, title.to_owned()));
+        }
+    }
+    found.into_iter().for_each(|(i, title)| row.cells[i] = title);
+    row
 }
 
 /// A header that only another program has, and the program: the one that knows most headers.

@@ -202,7 +202,9 @@ fn no_envelope(rows: &[Row], headers: &Headers, file: &Path) -> Result<(), Diagn
             .filter(|i| !numbers.contains(i))
             .filter_map(|i| row.cells.get(i))
             .find(|t| is_extreme(t));
-        if let Some(word) = stepped.or(other.map(String::as_str)) {
+        let named = headers.columns.iter().filter(|c| c.quantity == Quantity::Case);
+        let named = named.map(|c| cell(row, c)).find(|t| names_envelope(t));
+        if let Some(word) = stepped.or(other.map(String::as_str)).or(named) {
             let message = format!(
                 "the row `{word}` belongs to an envelope: its actions are extremes of several load \
                  cases and do not act together"
@@ -213,6 +215,21 @@ fn no_envelope(rows: &[Row], headers: &Headers, file: &Path) -> Result<(), Diagn
         }
     }
     Ok(())
+}
+
+/// Whether a load case is called an envelope: `ENV_Max`, `Umhüllende min`, `MaxMy`.
+fn names_envelope(name: &str) -> bool {
+    let lower = name.to_lowercase();
+    let words = lower.split(|c: char| !c.is_alphanumeric());
+    let envelope = |w: &str| {
+        let starts = ["envelop", "umhüll", "hüllkurve"].iter().any(|s| w.starts_with(s));
+        w == "env" || starts
+    };
+    let of_action = |w: &str| {
+        let rest = w.strip_prefix("max").or_else(|| w.strip_prefix("min"));
+        rest.is_some_and(|r| Quantity::ACTIONS.iter().any(|q| q.word().eq_ignore_ascii_case(r)))
+    };
+    words.into_iter().any(|w| envelope(w) || of_action(w))
 }
 
 /// `Max`, `min`, `max My`: what programs write beside the rows of an envelope.

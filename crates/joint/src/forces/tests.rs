@@ -132,6 +132,15 @@ fn headers_units_and_signs() {
     assert_eq!(rfem.expect("sound")[0].actions[4], -7e6);
     // a name may begin with the mark of a comment
     assert_eq!(table("case,N [kN]\n#1,5\n", None, &[]).expect("sound")[0].actions[0], 5e3);
+    // names that stand a row higher, over empty cells and over `Nr.`
+    let two = "Stab;Knoten;Stelle;Lastfall;Kräfte;\n\
+               Nr.;Nr.;x [m];;N [kN];M-y [kNm]\n12;7;0,000;LK 1;-3,88;-2,50\n";
+    let row = &rows(two, Program::Rfem)[0];
+    let texts = [Quantity::Member, Quantity::Node, Quantity::Case].map(|q| row.text(q));
+    assert_eq!(texts, [Some("12"), Some("7"), Some("LK 1")]);
+    assert_eq!((row.actions[0], row.actions[4]), (-3.88e3, 2.5e6));
+    // a load case may have a name with `max`
+    assert_eq!(table("case,N [kN]\nmax snow,1\n", None, &[]).expect("sound").len(), 1);
     // empty cells are zero, and a unit row may stand in brackets
     let units = "case,N,My\n,[kN],[kNm]\nA,,2\n";
     assert_eq!(table(units, None, &[]).expect("sound")[0].actions[4], 2e6);
@@ -156,6 +165,10 @@ fn what_is_wrong_with_a_table() {
         ("case,StepType,N [kN]\nA,Max,1\n", None, "`Max` belongs to an envelope", "single"),
         ("Member;LC;x;N [kN];My [kNm]\n1;RC1;max My;1;2\n", rfem, "`max My` belongs", "single"),
         ("case;N [kN];My [kN m]\nA;1.5;2,5\n", None, "`1.5` has a point", "the same sign"),
+        ("case;N [kN];My [kN m]\nA;1.003;2,5\n", None, "`1.003` is not a number", "a number"),
+        ("case,N [kN]\nENV_Max,1\n", None, "`ENV_Max` belongs to an envelope", "single"),
+        ("case,N [kN]\nUmhüllende 1,1\n", None, "belongs to an envelope", "single"),
+        ("case,N [kN]\nminMy,1\n", None, "`minMy` belongs to an envelope", "single"),
         ("case;N [kN]\nA;1,250\nB;7\n", None, "`1,250` may be 1.250 or 1250", "thousands"),
         (
             "Member No.;Location x [m];LC;N [kN];My [kNm]\n1;0,00;1;0,00;-2,50\n",

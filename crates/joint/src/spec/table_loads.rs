@@ -237,6 +237,12 @@ fn at_station<'a>(
             Station::At(x) => *x,
         };
         let case = case.unwrap_or_default();
+        if *station == Station::End && same(wanted, 0.0) {
+            let message =
+                format!("load case `{case}` has no section beyond the start of the member");
+            let help = "export the section at the end, or write `station: start`";
+            return Err(of_row(group[0].1, message, help));
+        }
         if !same(*extreme.entry(*place).or_insert(wanted), wanted) {
             let message = format!("load case `{case}` has its {station} at another station");
             let help = "export the same sections of every load case";

@@ -131,6 +131,9 @@ fn what_is_wrong_with_the_choice_of_rows() {
     let late = RFEM.replace("12;3;0,00;CO2;", "12;3;0,50;CO2;");
     let d = refused(&late, &format!("{base}, member: 12, station: start}}"));
     assert!(d.message.contains("`CO2` has its start at another station"), "{d:#?}");
+    let start_alone: Vec<&str> = RFEM.lines().filter(|l| !l.contains("6,00")).collect();
+    let d = refused(&start_alone.join("\n"), &format!("{base}, member: 12, station: end}}"));
+    assert!(d.message.contains("no section beyond the start") && d.place.line.is_some(), "{d:#?}");
     let merged = RFEM.replace("12;4;6,00;CO2", ";4;6,00;CO2");
     let d = refused(&merged, &format!("{base}, member: 12, station: start}}"));
     assert!(d.message.contains("the row has no member") && d.place.line == Some(5), "{d:#?}");
