@@ -91,10 +91,7 @@ pub fn solve_combinations<'r>(
     result.cases = entries.into_iter().flatten().chain(of_directions).collect();
     result.directions = directions;
     result.warnings.extend(without_bounds(&result.cases));
-    let decided = |c: &&CaseResult| {
-        let (lower, upper) = c.factor_bounds();
-        Verdict::of(lower, upper) != Verdict::Undecided
-    };
+    let decided = |c: &&CaseResult| c.by_bounds() != Verdict::Undecided;
     let count = result.cases.iter().take(wanted.len()).filter(decided).count();
     log.line(format!("{runs} limit analyses decide {count} of {} load cases", wanted.len()));
     Ok(Solved { result, models })

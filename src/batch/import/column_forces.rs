@@ -43,9 +43,9 @@ impl ColumnForces {
     }
 }
 
-/// The value of an action \[N, N mm\].
+/// The value of an action \[N, N mm\]; an action that is not given is zero.
 pub fn value(load: &LoadSpec, action: Action) -> f64 {
-    load.actions().into_iter().find(|(a, _)| *a == action).map_or(0.0, |(_, v)| v)
+    load.value(action).unwrap_or(0.0)
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@ use bracket_base::math::gauge::gauge;
 use bracket_codes::verdict::Verdict;
 use bracket_engine::certify::half_space::Actions;
 use bracket_engine::model::AnalysisKind;
-use bracket_engine::model::file::ModelFile;
+use bracket_engine::model::file::{ModelFile, RigidEntry};
 use bracket_report::result::case_result::CaseResult;
 use bracket_report::result::derived_bounds::{Run, derived_case};
 use bracket_report::result::proved_by::{ProvedBy, Weight};
@@ -13,8 +13,7 @@ use bracket_report::result::quantity::{FrictionModel, Quantity};
 
 /// The actions of a model file on its rigid faces.
 pub fn actions_of(file: &ModelFile) -> Actions {
-    let six = |f: [f64; 3], m: [f64; 3]| [f[0], f[1], f[2], m[0], m[1], m[2]];
-    file.rigid.iter().map(|r| six(r.force, r.moment)).collect()
+    file.rigid.iter().map(RigidEntry::action).collect()
 }
 
 /// The model file with these actions.
@@ -29,11 +28,11 @@ pub fn with_actions(file: &ModelFile, actions: &[[f64; 6]]) -> ModelFile {
 /// Whether nothing but actions on rigid faces loads a model in limit analysis, all of them times
 /// the load factor: what it carries is then convex and contains zero.
 fn is_live(file: &ModelFile) -> bool {
-    let dead = file.rigid.iter().flat_map(|r| r.dead_force.iter().chain(&r.dead_moment));
+    let mut dead = file.rigid.iter().flat_map(RigidEntry::dead_action);
     file.analysis == AnalysisKind::Limit
         && file.loads.is_empty()
         && file.dead.is_empty()
-        && dead.into_iter().all(|x| *x == 0.0)
+        && dead.all(|x| x == 0.0)
 }
 
 /// The cases in groups of equal models but for the actions, by their indices. A case that no other
@@ -143,10 +142,7 @@ impl Cover {
 
     /// The cases without an analysis of their own that the analyses do not decide.
     pub fn open(&self) -> Vec<usize> {
-        let undecided = |i: &usize| {
-            let (lower, upper) = self.derive(*i).factor_bounds();
-            Verdict::of(lower, upper) == Verdict::Undecided
-        };
+        let undecided = |i: &usize| self.derive(*i).by_bounds() == Verdict::Undecided;
         (0..self.cases.len()).filter(|i| !self.has_run(*i)).filter(undecided).collect()
     }
 }

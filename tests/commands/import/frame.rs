@@ -17,6 +17,20 @@ pub const BASE: &str = "template: beam_to_column_end_plate\n\
                         150]}\nbolts: {size: M16, grade: \"8.8\", gauge: 90, rows: [-80, 80]}\n\
                         parameters: {column_stiffeners: false}\n";
 
+/// The import of the frame as SAP2000 writes it.
+pub const SAP2000_ARGS: [&str; 10] = [
+    "import",
+    "forces.txt",
+    "--joints",
+    "joints.csv",
+    "--base",
+    "base.yaml",
+    "--mapping",
+    "sap2000",
+    "-o",
+    "out",
+];
+
 /// Load cases and the factors of all actions.
 pub const CASES: [(&str, f64); 3] = [("ULS1", 1.0), ("ULS2", -0.4), ("SLS1", 0.7)];
 

@@ -1,7 +1,7 @@
 //! What an import refuses: each with one message that names the place and the cure, and nothing
 //! left behind.
 
-use super::frame::{BASE, JOINTS, SECTIONS, saf_sheets, sap2000};
+use super::frame::{BASE, JOINTS, SAP2000_ARGS, SECTIONS, saf_sheets, sap2000};
 use super::workbook::workbook;
 use crate::bench::{Bench, Want, none_wrong, refusal};
 
@@ -15,19 +15,6 @@ const ROWS: &str = "A,beam_right,B1,start,,,,C1,C2,false\nB,beam_right,B2,start,
 const JOINTS_FAULT: &str = "import/joints";
 const FORCES_FAULT: &str = "import/forces";
 const MODEL_FAULT: &str = "import/model";
-
-const ARGS: [&str; 10] = [
-    "import",
-    "forces.txt",
-    "--joints",
-    "joints.csv",
-    "--base",
-    "base.yaml",
-    "--mapping",
-    "sap2000",
-    "-o",
-    "out",
-];
 
 const WRONG: [Wrong<'_>; 23] = [
     (
@@ -231,7 +218,7 @@ fn wrong_tables_are_refused_in_words() {
         assert!(text.contains(old), "{file} has no {old}");
         let bench = bench.file(file, text.replacen(old, new, 1));
         let want = Want { exit: 2, code, place, message, cure };
-        let run = refusal(&bench, &mut bench.command(&ARGS), &want);
+        let run = refusal(&bench, &mut bench.command(&SAP2000_ARGS), &want);
         results.push((format!("{file}: {old} -> {new}"), run));
     }
     none_wrong(results);
@@ -257,7 +244,7 @@ fn other_load_cases_are_refused_in_words() {
             joints.lines().filter(|l| !l.starts_with('A')).flat_map(|l| [l, "\n"]).collect();
         let bench = bench.file("joints.csv", format!("# joint B\n{alone}"));
         let want = Want { exit: 2, code: FORCES_FAULT, place, message, cure: "--cases" };
-        results.push((member.into(), refusal(&bench, &mut bench.command(&ARGS), &want)));
+        results.push((member.into(), refusal(&bench, &mut bench.command(&SAP2000_ARGS), &want)));
     }
     none_wrong(results);
 }
@@ -275,7 +262,7 @@ fn wrong_files_and_options_are_refused_in_words() {
         let bench = bench().file("list.yaml", "[1]\n");
         std::fs::create_dir(bench.path().join("full")).expect("a folder");
         let bench = bench.file("full/mine.txt", "mine");
-        let mut args = ARGS;
+        let mut args = SAP2000_ARGS;
         args[at] = new;
         let want = Want { exit: 2, code, place, message, cure };
         results.push((args.join(" "), refusal(&bench, &mut bench.command(&args), &want)));
@@ -284,7 +271,7 @@ fn wrong_files_and_options_are_refused_in_words() {
         [("--cases", "XX*", "no load case of the table is `XX*`"), ("--sls", "S*X", "`S*X`")]
     {
         let bench = bench();
-        let args = [&ARGS[..], &[option, pattern]].concat();
+        let args = [&SAP2000_ARGS[..], &[option, pattern]].concat();
         let want =
             Want { exit: 2, code: "loads/table", place: option, message, cure: "any letters" };
         results.push((args.join(" "), refusal(&bench, &mut bench.command(&args), &want)));
@@ -311,7 +298,7 @@ fn wrong_models_are_refused_in_words() {
             };
         }
         let bench = bench().file("frame.xlsx", workbook(&sheets));
-        let mut args = ARGS;
+        let mut args = SAP2000_ARGS;
         (args[1], args[7]) = ("frame.xlsx", "saf");
         let want = Want { exit: 2, code: MODEL_FAULT, place, message, cure };
         let run = refusal(&bench, &mut bench.command(&args), &want);

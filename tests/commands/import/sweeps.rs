@@ -1,22 +1,9 @@
 //! The sweep of an import, and sweeps whose rows name tables of load cases.
 
-use super::frame::{BASE, CASES, JOINTS, SECTIONS, saf, sap2000};
+use super::frame::{BASE, CASES, JOINTS, SAP2000_ARGS, SECTIONS, saf, sap2000};
 use crate::bench::{Bench, expect};
 use serde_json::Value;
 use std::fmt::Write as _;
-
-const SAP: [&str; 10] = [
-    "import",
-    "forces.txt",
-    "--joints",
-    "joints.csv",
-    "--base",
-    "base.yaml",
-    "--mapping",
-    "sap2000",
-    "-o",
-    "out",
-];
 
 /// A joint of the frame, written by hand: the base spec, the forces of its column, and Vz and My of
 /// its ends.
@@ -101,7 +88,7 @@ fn a_table_of_sap2000() {
         .file("forces.txt", sap2000(&SECTIONS))
         .file("joints.csv", JOINTS)
         .file("base.yaml", BASE);
-    let (out, err) = expect(&bench, &[&SAP[..], &["--sls", "SLS*"]].concat(), 0);
+    let (out, err) = expect(&bench, &[&SAP2000_ARGS[..], &["--sls", "SLS*"]].concat(), 0);
     assert!(err.is_empty(), "{err}");
     for words in ["A               3      -1160           18", "next: bracket batch out/sweep.yaml"]
     {
@@ -163,11 +150,11 @@ fn an_import_is_repeated() {
         .file("forces.txt", sap2000(&SECTIONS))
         .file("joints.csv", joints)
         .file("base.yaml", BASE);
-    expect(&bench, &SAP, 0);
+    expect(&bench, &SAP2000_ARGS, 0);
     expect(&bench, &["batch", "out/sweep.yaml"], 1);
     let bench = bench.file("out/notes.txt", "mine").file("joints.csv", JOINTS);
     assert!(bench.path().join("out/loads/X_1-2.csv").is_file());
-    let (json, _) = expect(&bench, &[&SAP[..], &["--format", "json"]].concat(), 0);
+    let (json, _) = expect(&bench, &[&SAP2000_ARGS[..], &["--format", "json"]].concat(), 0);
     let json: Value = serde_json::from_str(&json).expect("JSON");
     assert_eq!(json["joints"][1]["load_cases"], 3);
     assert!(bench.path().join("out/sweep/results.csv").is_file());
@@ -190,7 +177,7 @@ fn templates_of_the_user_are_found() {
         .file("b/base.yaml", BASE.replace("beam_to_column_end_plate", "./t/b.yaml"))
         .file("b/t/a.yaml", own)
         .file("b/t/b.yaml", own.replace("mine", "other"));
-    let mut args = SAP;
+    let mut args = SAP2000_ARGS;
     args[5] = "b/base.yaml";
     expect(&bench, &args, 0);
     let run = bench.run(&["batch", "out/sweep.yaml", "-o", "s"]);

@@ -285,6 +285,22 @@ pub struct RigidEntry {
     pub dead_moment: [f64; 3],
 }
 
+impl RigidEntry {
+    /// Force and moment times the load factor \[N, N mm\].
+    pub fn action(&self) -> [f64; 6] {
+        six(self.force, self.moment)
+    }
+
+    /// Force and moment that are not multiplied \[N, N mm\].
+    pub fn dead_action(&self) -> [f64; 6] {
+        six(self.dead_force, self.dead_moment)
+    }
+}
+
+fn six(f: [f64; 3], m: [f64; 3]) -> [f64; 6] {
+    [f[0], f[1], f[2], m[0], m[1], m[2]]
+}
+
 /// A traction varying linearly with global position: `t = traction0 + gradient·x`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

@@ -101,6 +101,11 @@ impl LimitState {
 }
 
 impl LoadSpec {
+    /// The value of an action \[N, N mm\]; `None` where it is not given.
+    pub fn value(&self, action: Action) -> Option<f64> {
+        self.actions().into_iter().find(|(given, _)| *given == action).map(|(_, value)| value)
+    }
+
     /// The actions that are given, with their values \[N, N mm\].
     pub fn actions(&self) -> Vec<(Action, f64)> {
         let forces = [(Action::N, self.n), (Action::Vy, self.vy), (Action::Vz, self.vz)];

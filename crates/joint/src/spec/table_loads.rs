@@ -37,9 +37,8 @@ pub fn expand(
 /// Load cases as a table with Bracket's own headers, from which they are read to the last bit.
 pub fn written(loads: &[LoadSpec]) -> String {
     let mut out = csv::Writer::from_writer(Vec::new());
-    let value = |l: &LoadSpec, a: Action| l.actions().into_iter().find(|(g, _)| *g == a);
     let given: Vec<Action> =
-        Action::ALL.into_iter().filter(|a| loads.iter().any(|l| value(l, *a).is_some())).collect();
+        Action::ALL.into_iter().filter(|a| loads.iter().any(|l| l.value(*a).is_some())).collect();
     let unit = |a: &Action| if a.direction().1 { "N mm" } else { "N" };
     let headers = given.iter().map(|a| format!("{} [{}]", a.word(), unit(a)));
     let words = ["case", "state", "end", "at"].map(str::to_owned);
@@ -52,7 +51,7 @@ pub fn written(loads: &[LoadSpec]) -> String {
             load.end.clone().unwrap_or_default(),
             load.at.map_or_else(String::new, |p| p.word().into()),
         ];
-        let numbers = given.iter().map(|a| value(load, *a).map_or(0.0, |(_, v)| v).to_string());
+        let numbers = given.iter().map(|a| load.value(*a).unwrap_or(0.0).to_string());
         let _ = out.write_record(words.into_iter().chain(numbers));
     }
     out.into_inner().ok().and_then(|bytes| String::from_utf8(bytes).ok()).unwrap_or_default()

@@ -94,16 +94,20 @@ fn of_few_betas(result: &mut ResultFile) {
     let is_beta = |p: &Place| matches!(p, Place::Beta(_));
     let sense =
         |s: &Subject| -> Vec<Place> { s.places.iter().filter(|p| !is_beta(p)).cloned().collect() };
-    let mut kept: Vec<Subject> = Vec::new();
-    let moments = || result.checks.iter().filter(|c| c.id() == CheckId::MomentResistance);
-    for moment in moments() {
-        let mut same: Vec<&Check> =
-            moments().filter(|c| sense(&c.subject) == sense(&moment.subject)).collect();
-        let size = |c: &Check| c.resistance.unwrap_or(0.0);
-        same.sort_by(|a, b| size(a).total_cmp(&size(b)));
-        let ends = [same.first(), same.last()];
-        kept.extend(ends.into_iter().flatten().map(|c| c.subject.clone()));
+    let size = |c: &Check| c.resistance.unwrap_or(0.0);
+    // the sense with its weakest and its strongest check
+    let mut senses: Vec<(Vec<Place>, [&Check; 2])> = Vec::new();
+    for c in result.checks.iter().filter(|c| c.id() == CheckId::MomentResistance) {
+        let of = sense(&c.subject);
+        match senses.iter_mut().find(|(s, _)| *s == of) {
+            Some((_, [least, _])) if size(c) < size(least) => *least = c,
+            Some((_, [_, most])) if size(c) >= size(most) => *most = c,
+            Some(_) => {}
+            None => senses.push((of, [c, c])),
+        }
     }
+    let kept: Vec<Subject> =
+        senses.iter().flat_map(|(_, ends)| ends.map(|c| c.subject.clone())).collect();
     let of_kept = |s: &Subject| {
         let within = |k: &Subject| k.places.iter().all(|p| s.places.contains(p));
         !s.places.iter().any(is_beta) || kept.iter().any(within)

@@ -340,6 +340,12 @@ impl CaseResult {
 }
 
 impl CaseResult {
+    /// What the strict bounds of the load factor say of the load itself.
+    pub fn by_bounds(&self) -> Verdict {
+        let (lower, upper) = self.factor_bounds();
+        Verdict::of(lower, upper)
+    }
+
     /// How the last solve without a solution ended, that for the lower bound before that for the
     /// upper one: `time limit`.
     pub fn ended_by(&self) -> Option<&Text> {

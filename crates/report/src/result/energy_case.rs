@@ -334,30 +334,14 @@ pub fn case_result(
     let mut warnings = program_warnings(pass);
     warnings.extend(estimate_warning(certificate(pass)));
     CaseResult {
-        name: name.into(),
-        analysis: model.analysis,
-        quantity: Quantity::PotentialEnergy,
-        problem: problem(model),
         lower,
         upper: upper.map(Upper::Finite),
         gap,
-        utilisation: None,
-        demand: None,
-        frictionless: None,
-        associated: None,
-        coulomb_estimate: None,
         preload: pass.preload.clone(),
         fixed_point: pass.fixed_point.clone(),
         load,
         load_displacement,
         load_displacement_at_least,
-        static_forces: None,
-        evidence: None,
-        evidence_before: Vec::new(),
-        critical: None,
-        critical_unknown: None,
-        joint_stiffness: None,
-        proved_by: None,
         certificate: certificate(pass),
         history: vec![HistoryRow {
             macro_tets: model.mesh.tets.len(),
@@ -375,21 +359,16 @@ pub fn case_result(
             mesh_seconds,
             peak_memory_mib: peak_memory_mib(),
         }],
-        dissipation: Vec::new(),
         yielding: if elastic { Vec::new() } else { yielding(model, pass) },
         face_motions: face_motions(model, pass),
-        load_steps: Vec::new(),
-        limiting_part: None,
         welds: weld_uses(
             model,
             pass.stress.as_ref().map_or(Vec::new(), |s| demands(model, s)),
             Vec::new(),
             pass.upper.as_ref().map_or(Vec::new(), |b| b.certificate().welds.clone()),
         ),
-        support_slip: Vec::new(),
-        tie_slip: Vec::new(),
-        resultants: Vec::new(),
         peak_contact_pressure: (peak != PeakPressure::default()).then_some(peak),
         warnings,
+        ..CaseResult::empty(name, model.analysis, (Quantity::PotentialEnergy, problem(model)))
     }
 }

@@ -274,34 +274,18 @@ pub fn limit_case_result(
         .map(body);
     let peak = low.and_then(|b| b.certificate().peak_pressure);
     CaseResult {
-        name: name.into(),
-        analysis: model.analysis,
-        quantity: Quantity::LoadFactor,
-        problem,
         lower,
         upper,
         gap,
-        utilisation: None,
-        demand: None,
         frictionless,
         associated,
         coulomb_estimate: pass.coulomb_estimate.as_ref().and_then(|e| e.factor),
-        preload: Vec::new(),
         fixed_point: pass
             .coulomb_estimate
             .as_ref()
             .filter(|e| e.factor.is_some())
             .map(|e| e.run.clone()),
         load: only_load(model).filter(|l| l.value() > 0.0),
-        load_displacement: None,
-        load_displacement_at_least: None,
-        static_forces: None,
-        evidence: None,
-        evidence_before: Vec::new(),
-        critical: None,
-        critical_unknown: None,
-        joint_stiffness: None,
-        proved_by: None,
         certificate,
         history: vec![HistoryRow {
             macro_tets: model.mesh.tets.len(),
@@ -320,9 +304,6 @@ pub fn limit_case_result(
             peak_memory_mib: peak_memory_mib(),
         }],
         dissipation: shares.bodies,
-        yielding: Vec::new(),
-        face_motions: Vec::new(),
-        load_steps: Vec::new(),
         limiting_part,
         welds: weld_uses(model, used, shares.welds, Vec::new()),
         support_slip: shares.supports,
@@ -330,5 +311,6 @@ pub fn limit_case_result(
         resultants: limits,
         peak_contact_pressure: peak.map(|p| PeakPressure { kinematic: None, static_: Some(p) }),
         warnings,
+        ..CaseResult::empty(name, model.analysis, (Quantity::LoadFactor, problem))
     }
 }

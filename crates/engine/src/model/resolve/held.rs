@@ -117,9 +117,7 @@ pub(super) fn rigid_faces(
                 faults.add("model/value", &format!("{path}.free"), m, "name each motion once");
             }
         }
-        let six = |f: [f64; 3], m: [f64; 3]| [f[0], f[1], f[2], m[0], m[1], m[2]];
-        let action = six(entry.force, entry.moment);
-        let dead_action = six(entry.dead_force, entry.dead_moment);
+        let (action, dead_action) = (entry.action(), entry.dead_action());
         let finite = action.iter().chain(&dead_action).chain(&entry.at).all(|v| v.is_finite());
         if !finite {
             let m = format!("a number of the rigid face `{name}` is not finite");

@@ -1,7 +1,7 @@
 //! Recomputation of the bounds of load cases without an analysis of their own, from the analyses
 //! whose fields are stored.
 
-use super::derived::{Proved, Reference};
+use super::derived::{Proved, Reference, same_bound};
 use super::differences::derived_differences;
 use crate::result::case_result::CaseResult;
 use crate::result::derived_bounds::{Run, derived_case};
@@ -36,12 +36,8 @@ pub fn proof_difference(
     let Some(found) = derived_case(name, actions, proved_by, runs) else {
         return Some(format!("{name}: the analyses that `proved_by` names prove no such bounds"));
     };
-    let near = |a: Option<f64>, b: Option<f64>| match (a, b) {
-        (Some(a), Some(b)) => (a - b).abs() <= 1e-9 * a.abs().max(b.abs()),
-        (a, b) => a.is_none() && b.is_none(),
-    };
     let upper = |c: &CaseResult| c.upper.and_then(|u| u.finite());
-    if !near(claimed.lower, found.lower) || !near(upper(claimed), upper(&found)) {
+    if !same_bound(claimed.lower, found.lower) || !same_bound(upper(claimed), upper(&found)) {
         return Some(format!("{name}: its bounds are not those that `proved_by` proves"));
     }
     derived_differences(claimed, &found).into_iter().next()

@@ -52,6 +52,14 @@ fn near(a: f64, b: f64) -> bool {
     (a - b).abs() <= SAME * a.abs().max(b.abs())
 }
 
+/// True if a claimed bound is the found one, or both are absent.
+pub(super) fn same_bound(claimed: Option<f64>, found: Option<f64>) -> bool {
+    match (claimed, found) {
+        (Some(c), Some(f)) => near(c, f) || c == f,
+        (c, f) => c.is_none() && f.is_none(),
+    }
+}
+
 /// True if two numbers are equal up to the rounding error of numbers as large as `size`.
 fn near_beside(a: f64, b: f64, size: f64) -> bool {
     (a - b).abs() <= SAME * size
@@ -112,11 +120,7 @@ fn point_difference(point: &Point, case: &Proved, axes: &Axes) -> Option<&'stati
         return Some("its model is not loaded in its direction");
     }
     let (lower, upper) = case.entry.safe_bounds();
-    let same = |claimed: Option<f64>, found: Option<f64>| match (claimed, found) {
-        (Some(c), Some(f)) => near(c, f) || c == f,
-        (c, f) => c.is_none() && f.is_none(),
-    };
-    if !same(point.lower, lower) || !same(point.upper, upper) {
+    if !same_bound(point.lower, lower) || !same_bound(point.upper, upper) {
         return Some("lower or upper is not the bound of its case");
     }
     let proves = |(velocity, bound): &(VelocityField, UpperFactor)| {
