@@ -21,7 +21,7 @@ use bracket_codes::verdict::Verdict;
 use bracket_engine::certify::half_space::{Actions, HalfSpace, live_actions};
 use bracket_engine::model::AnalysisKind;
 use bracket_engine::model::file::ModelFile;
-use bracket_engine::solve::Patterns;
+use bracket_engine::solve::{Patterns, StopRules};
 use bracket_report::console::log::Log;
 use bracket_report::markdown::report_data::ModelTraits;
 use bracket_report::result::case_result::CaseResult;
@@ -212,7 +212,7 @@ impl Runner<'_, '_, '_> {
         let share = Share {
             until: now + part,
             both_within: f64::INFINITY,
-            refined: setup.refinement.refines(),
+            first_stop: StopRules::on_mesh(setup.refinement.refines()),
             patterns: &self.patterns,
             evidence: None,
             decide: false,

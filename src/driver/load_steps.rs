@@ -10,7 +10,7 @@ use bracket_base::diag::Diagnostics;
 use bracket_codes::route::BoltSections;
 use bracket_engine::analysis::dispatch::AnalysisPass;
 use bracket_engine::model::{AnalysisKind, AnalysisModel};
-use bracket_engine::solve::Patterns;
+use bracket_engine::solve::{Patterns, StopRules};
 use bracket_report::console::log::Log;
 use bracket_report::result::evidence::Side;
 use bracket_report::result::load_step::without_steps;
@@ -55,7 +55,7 @@ pub fn add_load_steps(
             until,
             answer_from: None,
             both_within: f64::INFINITY,
-            to_be_refined: false,
+            stop: StopRules::default(),
             patterns: &patterns,
         };
         let pass = run_pass(&entry.name, &model, &terms, limits, log)?;

@@ -39,8 +39,8 @@ pub struct Terms<'a> {
     pub answer_from: Option<f64>,
     /// See [`PassOptions`] \[s\].
     pub both_within: f64,
-    /// Whether its mesh is to be refined, so that a rough solution is enough.
-    pub to_be_refined: bool,
+    /// When its solves end.
+    pub stop: StopRules,
     /// The sparsity patterns that earlier passes on this mesh have found.
     pub patterns: &'a Patterns,
 }
@@ -106,10 +106,7 @@ fn options(
         time_limit: left,
         interrupt,
         patterns,
-        stop: match terms.to_be_refined {
-            true => StopRules::to_be_refined(),
-            false => StopRules::default(),
-        },
+        stop: terms.stop,
         ..SolveOptions::default()
     };
     let (shown, tolerance) = (log.clone(), AnalysisPass::tolerance(model, &solve));

@@ -12,7 +12,7 @@ use bracket_engine::mesh::TetMesh;
 use bracket_engine::model::file::{Bounds, ModelFile};
 use bracket_engine::model::{AnalysisKind, AnalysisModel};
 use bracket_engine::refine::plan::Prediction;
-use bracket_engine::solve::Patterns;
+use bracket_engine::solve::{Patterns, StopRules};
 use bracket_report::console::log::Log;
 use bracket_report::document::table::Table;
 use bracket_report::result::combine::{self, PassResult, best};
@@ -48,8 +48,8 @@ pub struct Share<'a> {
     /// Time that both bounds of a limit analysis on the first mesh may take \[s\]; where more is
     /// expected, the lower one is computed alone.
     pub both_within: f64,
-    /// Whether the first mesh is to be refined.
-    pub refined: bool,
+    /// When solves on the first mesh end.
+    pub first_stop: StopRules,
     /// Sparsity patterns that passes on the first mesh have found.
     pub patterns: &'a Patterns,
     /// What is measured in the fields of elastoplastic analysis, for the route of analysis.
@@ -103,8 +103,8 @@ impl<'a> Passes<'a> {
         if index > 0 {
             let Share { until, .. } = self.share;
             let both_within = f64::INFINITY;
-            let to_be_refined = predicted.is_some_and(|p| p.first_of_two);
-            terms = Terms { until, both_within, to_be_refined, patterns: &own, ..terms };
+            let stop = StopRules::on_mesh(predicted.is_some_and(|p| p.first_of_two));
+            terms = Terms { until, both_within, stop, patterns: &own, ..terms };
         }
         let outcome = run_pass(&self.name, &model, &terms, self.limits, self.log)?;
         let mut entry = pass_entry(&outcome, &self.name, &model, mesh_seconds);
@@ -132,9 +132,9 @@ impl<'a> Passes<'a> {
 
     /// Terms of a pass on the first mesh, which may take all of the time of the run.
     fn first_terms(&self) -> Terms<'a> {
-        let Share { both_within, patterns, refined: to_be_refined, .. } = self.share;
+        let Share { both_within, patterns, first_stop: stop, .. } = self.share;
         let until = f64::INFINITY;
-        Terms { until, answer_from: None, both_within, to_be_refined, patterns }
+        Terms { until, answer_from: None, both_within, stop, patterns }
     }
 
     /// Adds the upper bound on the first mesh where the lower one was computed alone.

@@ -8,7 +8,7 @@ use crate::driver::passes::{Share, lost};
 use crate::driver::setup::{Refinement, RunSetup};
 use bracket_base::diag::Diagnostics;
 use bracket_engine::model::AnalysisKind;
-use bracket_engine::solve::Patterns;
+use bracket_engine::solve::{Patterns, StopRules};
 use bracket_report::console::log::Log;
 use bracket_report::result::evidence::EvidencePlan;
 use std::sync::Arc;
@@ -114,10 +114,14 @@ impl<'a, 'r> Queue<'a, 'r> {
             let first = std::mem::take(&mut self.first);
             // an elastic analysis has no part in a verdict by analysis
             let decide = self.decide && case.model.analysis != AnalysisKind::Elastic;
+            let first_stop = match (self.refinement.refines(), case.direction) {
+                (false, Some(_)) => StopRules::of_direction(),
+                (refined, _) => StopRules::on_mesh(refined),
+            };
             let share = Share {
                 until: f64::INFINITY,
                 both_within,
-                refined: self.refinement.refines(),
+                first_stop,
                 patterns: self.patterns,
                 evidence: self.evidence,
                 decide,

@@ -21,7 +21,7 @@ use bracket_engine::model::AnalysisKind;
 use bracket_engine::model::file::{ModelFile, Nodes};
 use bracket_engine::model::resolve::{load_model, resolve};
 use bracket_engine::refine::plan;
-use bracket_engine::solve::{Patterns, Solver};
+use bracket_engine::solve::{Patterns, Solver, StopRules};
 use bracket_joint::meshing::joint::MeshOptions;
 use bracket_joint::spec::analysis::AnalysisSpec;
 use bracket_report::console::log::Log;
@@ -298,7 +298,7 @@ fn study(
                 let share = Share {
                     until,
                     both_within: f64::INFINITY,
-                    refined: refinement.refines(),
+                    first_stop: StopRules::on_mesh(refinement.refines()),
                     patterns: &patterns,
                     evidence: None,
                     decide: false,

@@ -7,7 +7,7 @@ use bracket_base::yaml;
 use bracket_engine::mesh::{NamedFaces, TetMesh};
 use bracket_engine::model::file::ModelFile;
 use bracket_engine::model::resolve::resolve;
-use bracket_engine::solve::Patterns;
+use bracket_engine::solve::{Patterns, StopRules};
 use bracket_report::console::log::Log;
 use std::path::Path;
 use std::sync::Arc;
@@ -54,7 +54,7 @@ fn a_contradiction_keeps_what_was_certified() {
     let share = Share {
         until: f64::INFINITY,
         both_within: f64::INFINITY,
-        refined: false,
+        first_stop: StopRules::default(),
         patterns: &patterns,
         evidence: None,
         decide: false,

@@ -110,6 +110,16 @@ impl StopRules {
         Self { limit_residual: 1.0, ..Self::default() }
     }
 
+    /// For a pass of limit analysis; `refined`: its mesh is to be refined.
+    pub fn on_mesh(refined: bool) -> Self {
+        if refined { Self::to_be_refined() } else { Self::default() }
+    }
+
+    /// For a direction of a polygon on a single mesh, whose bracket is tens of percent wide.
+    pub fn of_direction() -> Self {
+        Self { limit_gap: 1e-3, ..Self::to_be_refined() }
+    }
+
     /// For the stresses of limit analysis.
     pub fn for_resistance(&self) -> Self {
         let residual = self.residual.max(self.limit_residual * self.limit_gap);

@@ -25,6 +25,7 @@ pub mod part;
 pub mod scope;
 mod seen_bolts;
 pub mod sheets;
+pub mod simple_joint;
 mod small_actions;
 mod spec_checks;
 pub mod symmetry;
@@ -41,6 +42,7 @@ pub use end_plate::{ColumnSide, EndPlate, UnseenLoad};
 pub use error::AssemblyError;
 pub use facts::Facts;
 pub use joint::{Joint, LoadedTemplate, build, build_from, given_names, names};
+pub use simple_joint::{Notch, SimpleJoint, SimpleKind, Support, SupportElement};
 pub use small_actions::{Idle, Neglected};
 
 #[cfg(test)]
