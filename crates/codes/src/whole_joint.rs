@@ -1,7 +1,9 @@
 //! The checks of a whole joint: those of its end plates, and what its load cases need besides.
 
 use super::check::{Check, Topic};
+use super::cover_splice::splice_checks;
 use super::end_plate::{HandChecks, hand_checks};
+use super::simple_joint::simple_checks;
 use super::worked::Worked;
 use crate::check::{CheckId, Status, Unit};
 use crate::design_code::DesignCode;
@@ -28,6 +30,8 @@ pub fn joint_checks(joint: &Joint) -> HandChecks {
 fn of_family(facts: &Facts) -> HandChecks {
     match facts {
         Facts::EndPlate(e) => hand_checks(e),
+        Facts::Simple(e) => simple_checks(e),
+        Facts::CoverSplice(e) => splice_checks(e),
     }
 }
 

@@ -107,11 +107,13 @@ fn name(entry: &Value) -> Option<&str> {
 }
 
 /// The keys of `own`, completed by those of `base` that it leaves out.
+///
+/// The keys stand in the order of `base`, so that one that must be first stays there.
 fn filled(mut own: Mapping, base: &Mapping) -> Mapping {
+    let mut all = Mapping::new();
     for (key, value) in base {
-        if !own.contains_key(key) {
-            own.insert(key.clone(), value.clone());
-        }
+        all.insert(key.clone(), own.shift_remove(key).unwrap_or_else(|| value.clone()));
     }
-    own
+    all.extend(own);
+    all
 }

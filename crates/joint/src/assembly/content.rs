@@ -22,6 +22,8 @@ pub enum PieceKind {
     Doubler,
     /// A rib on the beam.
     Rib,
+    /// A plate of the hand checks of another family than the end plate's.
+    Checked,
     /// A plate that the hand checks do not know.
     Other,
 }
@@ -80,8 +82,10 @@ pub struct Length {
     pub profile: String,
     /// Axis of the member, 0 = x.
     pub along: usize,
-    /// Flanges and web.
-    pub blocks: [Extent; 3],
+    /// Its flanges; a notch shortens them.
+    pub flanges: Vec<Extent>,
+    /// Its web, in pieces beside notches.
+    pub web: Vec<Extent>,
     /// True if the hand checks know it.
     pub known: bool,
     /// Steel grade.
@@ -92,10 +96,14 @@ pub struct Length {
 }
 
 impl Length {
+    /// Flanges and web.
+    pub fn blocks(&self) -> impl Iterator<Item = &Extent> {
+        self.flanges.iter().chain(&self.web)
+    }
+
     /// Extent of the whole section.
     pub fn extent(&self) -> Extent {
-        let [first, rest @ ..] = self.blocks;
-        rest.into_iter().fold(first, union)
+        self.blocks().copied().reduce(union).unwrap_or_default()
     }
 }
 
@@ -219,6 +227,29 @@ pub fn cut(of: Extent, block: &Extent) -> Vec<Extent> {
     }
 }
 
+/// What is left of a box without another one, in boxes that do not overlap.
+pub fn minus(of: Extent, cut: &Extent) -> Vec<Extent> {
+    let apart =
+        (0..3).any(|k| cut[k][0] > of[k][1] - SAME_PLACE || cut[k][1] < of[k][0] + SAME_PLACE);
+    if apart {
+        return vec![of];
+    }
+    let (mut out, mut rest) = (Vec::new(), of);
+    for k in 0..3 {
+        if cut[k][0] > rest[k][0] + SAME_PLACE {
+            let mut low = rest;
+            (low[k][1], rest[k][0]) = (cut[k][0], cut[k][0]);
+            out.push(low);
+        }
+        if cut[k][1] < rest[k][1] - SAME_PLACE {
+            let mut high = rest;
+            (high[k][0], rest[k][1]) = (cut[k][1], cut[k][1]);
+            out.push(high);
+        }
+    }
+    out
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -231,6 +262,25 @@ mod tests {
         assert_eq!(halves.iter().map(|h| h[1]).collect::<Vec<_>>(), [[-100.0, -4.5], [4.5, 100.0]]);
         let doubler = [[-67.0, 67.0], [4.5, 12.5], [-165.0, 230.0]];
         assert_eq!(cut(doubler, &web), [doubler]);
+    }
+
+    /// A notch at the end of a beam: the flange is shorter, the web is left in two boxes.
+    #[test]
+    fn a_box_without_another_one() {
+        let notch = [[-5.0, 60.0], [-200.0, 200.0], [110.0, 900.0]];
+        let flange = [[0.0, 400.0], [-75.0, 75.0], [139.3, 150.0]];
+        assert_eq!(minus(flange, &notch), [[[60.0, 400.0], [-75.0, 75.0], [139.3, 150.0]]]);
+        let web = [[0.0, 400.0], [-3.5, 3.5], [-139.3, 139.3]];
+        let left = [
+            [[60.0, 400.0], [-3.5, 3.5], [-139.3, 139.3]],
+            [[0.0, 60.0], [-3.5, 3.5], [-139.3, 110.0]],
+        ];
+        assert_eq!(minus(web, &notch), left);
+        let volume = |e: &Extent| e.iter().map(|i| i[1] - i[0]).product::<f64>();
+        let hole = [[10.0, 20.0], [-1.0, 1.0], [0.0, 30.0]];
+        let around: f64 = minus(web, &hole).iter().map(volume).sum();
+        assert!((around - volume(&web) + volume(&hole)).abs() < 1e-6, "{around}");
+        assert_eq!(minus(web, &[[400.0, 500.0], [-9.0, 9.0], [0.0, 9.0]]), [web], "beside it");
     }
 
     #[test]

@@ -21,7 +21,7 @@ pub(super) fn compare(
     entry: &EndPlateEntry,
     seen: &mut EndPlate,
 ) {
-    let upright = [Frame { origin: [0.0; 3], along: 0, depth: 2 }];
+    let upright = [Frame { origin: [0.0; 3], along: 0, depth: 2, outward: 1.0 }];
     let frames = if frames.is_empty() { &upright } else { frames };
     let mut named = Named { content: &mut *content, frames, entry, seen: &*seen };
     named.pieces();
@@ -78,7 +78,7 @@ impl Named<'_> {
                 PieceKind::Stiffener => "column stiffener",
                 PieceKind::Doubler => "web doubler",
                 PieceKind::Rib => "rib",
-                PieceKind::Other => continue,
+                PieceKind::Checked | PieceKind::Other => continue,
             };
             p.label = label.into();
         }
@@ -290,7 +290,7 @@ fn by_label(content: &Content, of: impl Fn(&Piece) -> bool) -> Vec<(Text, Vec<Te
 }
 
 /// Plates and members that the hand checks do not know.
-fn others(content: &Content, outer: &[String]) -> Vec<NotChecked> {
+pub(super) fn others(content: &Content, outer: &[String]) -> Vec<NotChecked> {
     let mut out = Vec::new();
     let mut add = |label: &Text, part: &str, no_check: &Option<Text>| {
         let part = Text::given(part);
@@ -369,7 +369,7 @@ fn strange_welds(
 pub(super) fn seams(content: &Content, assembly: &Assembly) -> Vec<Seam> {
     let mut out: Vec<Seam> = Vec::new();
     let unknown: Vec<&Piece> =
-        content.pieces.iter().filter(|p| p.kind == PieceKind::Other).collect();
+        content.pieces.iter().filter(|p| p.kind >= PieceKind::Checked).collect();
     let is_unknown = |part: &str| unknown.iter().any(|p| p.part == part);
     for w in assembly.welds.iter().filter(|w| w.between.iter().any(|p| is_unknown(p))) {
         let super::assembly::Surface::Plane { axis, min, max, .. } = w.surface else { continue };
@@ -386,7 +386,7 @@ pub(super) fn seams(content: &Content, assembly: &Assembly) -> Vec<Seam> {
         // each pair of them once
         let later = |o: &&Piece| !unknown[..=i].iter().any(|u| std::ptr::eq(*u, *o));
         let pieces = content.pieces.iter().filter(later).map(|o| (&o.part, vec![o.extent]));
-        let members = content.members.iter().map(|m| (&m.part, m.blocks.to_vec()));
+        let members = content.members.iter().map(|m| (&m.part, m.blocks().copied().collect()));
         for (part, extents) in pieces.chain(members) {
             if part != &p.part && joined(part, &p.part) {
                 continue;

@@ -194,17 +194,20 @@ impl EndPlate {
 
 /// Loads that the hand checks leave out: loads at member ends that `hand_checks` does not name, and
 /// loads on sections in a case with actions at member ends, unless the spec gives the forces of the
-/// column.
-fn unseen(spec: &ConnectionSpec, entry: &EndPlateEntry, small: &SmallActions) -> Vec<UnseenLoad> {
+/// column, whose role is `column`.
+pub(super) fn unseen(
+    spec: &ConnectionSpec,
+    ends: &[String],
+    column: Option<&String>,
+    small: &SmallActions,
+) -> Vec<UnseenLoad> {
     let loads = || spec.loads.iter().filter(|l| !l.of_polygon && small.counts(l));
     let demanded = |case: &str| loads().any(|l| l.name == case && l.end.is_some());
-    let given = entry
-        .column
-        .as_ref()
+    let given = column
         .and_then(|c| spec.members.get(c))
         .is_some_and(|m| m.n_ed.is_some() || m.m_ed.is_some());
     let why = |l: &LoadSpec| match (&l.end, &l.section) {
-        (Some(end), _) if !entry.ends.contains(end) => Some((
+        (Some(end), _) if !ends.contains(end) => Some((
             say!(
                 "`{}` is none of the ends that `hand_checks` of the template name: what acts \
                  there is not checked",
@@ -213,7 +216,7 @@ fn unseen(spec: &ConnectionSpec, entry: &EndPlateEntry, small: &SmallActions) ->
             "a template that names this end".into(),
         )),
         (None, Some(section)) if demanded(&l.name) && !given => {
-            let step = match &entry.column {
+            let step = match column {
                 Some(c) => say!("members.{}.N_Ed and M_Ed in the spec", c),
                 None => "a load at a member end in its place".into(),
             };
@@ -349,7 +352,7 @@ pub(super) fn end_plate(
         preload: inputs.preload,
         category: spec.bolts.as_ref().and_then(|b| b.category),
         mu: inputs.mu,
-        unseen: unseen(spec, entry, small),
+        unseen: unseen(spec, &entry.ends, entry.column.as_ref(), small),
         always_prying: spec.code.prying == PryingRule::Always,
         welds: spec.welds,
         annex: code.annex.clone(),

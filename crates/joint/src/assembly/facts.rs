@@ -6,10 +6,15 @@ use super::builder::Context;
 use super::code_values::CodeValues;
 use super::column_span::column_span;
 use super::content::Content;
+use super::cover_splice::CoverSplice;
 use super::coverage;
 use super::end_plate::{EndPlate, end_plate};
 use super::error::AssemblyError;
 use super::member_ends::Frame;
+use super::simple_entry::{self, simple_joint};
+use super::simple_joint::SimpleJoint;
+use super::splice_entry::{self, cover_splice};
+use super::template::HandCheckEntry;
 use serde::Serialize;
 
 /// Facts of a joint for its hand checks. Each room that needs more than the actions matches the
@@ -19,6 +24,10 @@ use serde::Serialize;
 pub enum Facts {
     /// A bolted end plate, on a column or of a splice.
     EndPlate(EndPlate),
+    /// A fin plate or a header plate.
+    Simple(SimpleJoint),
+    /// A splice of beams with bolted cover plates.
+    CoverSplice(Box<CoverSplice>),
 }
 
 impl Facts {
@@ -32,11 +41,22 @@ impl Facts {
         frames: &[Frame],
     ) -> Result<Option<Self>, AssemblyError> {
         let Some(entry) = &context.template.hand_checks else { return Ok(None) };
-        let mut seen = end_plate(context, entry, code, actions)?;
-        if let (Some(column), Some(role)) = (&mut seen.column, &entry.column) {
-            column.span = column_span(context, assembly, frames, role)?;
-        }
-        Ok(Some(Facts::EndPlate(seen)))
+        let facts = match entry {
+            HandCheckEntry::EndPlate(entry) => {
+                let mut seen = end_plate(context, entry, code, actions)?;
+                if let (Some(column), Some(role)) = (&mut seen.column, &entry.column) {
+                    column.span = column_span(context, assembly, frames, role)?;
+                }
+                Facts::EndPlate(seen)
+            }
+            HandCheckEntry::Simple(entry) => {
+                Facts::Simple(simple_joint(context, entry, code, actions)?)
+            }
+            HandCheckEntry::CoverSplice(entry) => {
+                Facts::CoverSplice(Box::new(cover_splice(context, entry, code, actions)?))
+            }
+        };
+        Ok(Some(facts))
     }
 
     /// Compares the facts with the geometry: all bolts must be seen, and what the hand checks do
@@ -49,11 +69,30 @@ impl Facts {
         content: &mut Content,
     ) -> Result<(), AssemblyError> {
         let Some(entry) = &context.template.hand_checks else { return Ok(()) };
-        match self {
-            Facts::EndPlate(seen) => {
+        let frame = || match frames {
+            [one] => Ok(one),
+            _ => Err(AssemblyError::TemplateEntry {
+                at: "hand_checks.ends".into(),
+                problem: format!("{} member ends; these checks know one", frames.len()),
+            }),
+        };
+        match (self, entry) {
+            (Facts::EndPlate(seen), HandCheckEntry::EndPlate(entry)) => {
                 context.all_seen(assembly, frames, seen)?;
                 coverage::compare(content, assembly, frames, entry, seen);
             }
+            (Facts::Simple(seen), HandCheckEntry::Simple(entry)) => {
+                let expected = simple_entry::expected(seen, entry, frame()?, content);
+                seen.not_checked = expected.compare(content, assembly)?;
+                content.not_checked.clone_from(&seen.not_checked);
+            }
+            (Facts::CoverSplice(seen), HandCheckEntry::CoverSplice(entry)) => {
+                let expected = splice_entry::expected(seen, entry, frame()?);
+                seen.not_checked = expected.compare(content, assembly)?;
+                content.not_checked.clone_from(&seen.not_checked);
+            }
+            // the facts are those of the entry
+            _ => {}
         }
         Ok(())
     }
@@ -62,6 +101,7 @@ impl Facts {
     pub fn end_plate(&self) -> Option<&EndPlate> {
         match self {
             Facts::EndPlate(e) => Some(e),
+            _ => None,
         }
     }
 
@@ -69,6 +109,8 @@ impl Facts {
     pub fn actions(&self) -> &[PlaneActions] {
         match self {
             Facts::EndPlate(e) => &e.actions,
+            Facts::Simple(e) => &e.actions,
+            Facts::CoverSplice(e) => &e.actions,
         }
     }
 }

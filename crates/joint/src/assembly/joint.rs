@@ -151,8 +151,8 @@ pub fn build_from(
     let (actions, frames) = match &template.hand_checks {
         Some(entry) => {
             let loads = &spec.value.loads;
-            let planes = actions::on_planes(loads, &small, &ends, &entry.ends);
-            let frames = member_ends::frames(&ends, &entry.ends);
+            let planes = actions::on_planes(loads, &small, &ends, entry.ends());
+            let frames = member_ends::frames(&ends, entry.ends());
             (planes.map_err(alone)?, frames.map_err(alone)?)
         }
         None => Default::default(),

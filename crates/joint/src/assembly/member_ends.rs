@@ -103,6 +103,8 @@ pub(super) struct Frame {
     pub along: usize,
     /// Axis of the section's depth, 0 = x.
     pub depth: usize,
+    /// 1 where the member runs out of the joint along its axis, −1 where it runs against it.
+    pub outward: f64,
 }
 
 /// The frames of the member ends named in `wanted`.
@@ -111,7 +113,10 @@ pub(super) fn frames(ends: &[End<'_>], wanted: &[String]) -> Result<Vec<Frame>, 
         let at = end.entry.name.as_str();
         let plane = end.entry.points.get(&ActionPoint::BoltPlane)?;
         let (along, depth) = (end.entry.face.axis.index(), end.entry.depth.index());
-        Some(within(at, end.scope.point(plane)).map(|origin| Frame { origin, along, depth }))
+        let outward = within(at, end.scope.number(&end.entry.outward));
+        let origin = within(at, end.scope.point(plane));
+        let frame = |origin, outward| Frame { origin, along, depth, outward };
+        Some(origin.and_then(|origin| outward.map(|outward| frame(origin, outward))))
     };
     ends.iter().filter(|e| wanted.contains(&e.name)).filter_map(of).collect()
 }

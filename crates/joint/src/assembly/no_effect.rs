@@ -1,6 +1,5 @@
 //! Values of a spec that have no effect beside its other values.
 
-use super::end_plate::EndPlate;
 use super::error::AssemblyError;
 use super::facts::Facts;
 use super::scope::{Given, Scope, path_of};
@@ -30,7 +29,8 @@ pub(super) fn notes(
             out.push(say!("`{}` has no effect: it counts where `{}` is true", path, condition));
         }
     }
-    let roles = template.hand_checks.as_ref().and_then(|h| Some((h.column.as_ref()?, &h.beam)));
+    let roles = template.hand_checks.as_ref().and_then(|h| h.end_plate());
+    let roles = roles.and_then(|h| Some((h.column.as_ref()?, &h.beam)));
     let length = |role: &String| spec.members.get(role).and_then(|m| m.length);
     if let Some((column, beam)) = roles
         && length(column).is_some()
@@ -42,8 +42,12 @@ pub(super) fn notes(
             beam
         ));
     }
-    let fillets = |e: &EndPlate| e.flange_throat > 0.0 || e.web_throat > 0.0;
-    if !spec.welds.is_default() && !seen.and_then(Facts::end_plate).is_some_and(fillets) {
+    let fillets = match seen {
+        Some(Facts::EndPlate(e)) => e.flange_throat > 0.0 || e.web_throat > 0.0,
+        Some(Facts::Simple(e)) => e.throat > 0.0,
+        Some(Facts::CoverSplice(_)) | None => false,
+    };
+    if !spec.welds.is_default() && !fillets {
         out.push(
             "`welds` has no effect: neither flanges nor web of the beam have fillet welds".into(),
         );

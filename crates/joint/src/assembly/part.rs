@@ -1,6 +1,7 @@
 //! Solids of parts: rolled sections, boxes, bolts and their holes, and the convex pieces of parts.
 
 use super::assembly::{MidPlane, OutlineEdge, Solid};
+use super::content::{Extent, minus};
 use crate::catalog::{BoltSize, IProfile};
 
 /// Number of wedges that approximate a root fillet in clash checks; the error of the chord is 0.2 %
@@ -127,12 +128,12 @@ impl Placed<'_> {
             .map(|(across, deep)| self.block(across, deep))
     }
 
-    /// Flanges, web and wedges of the fillets, with the holes left free.
-    pub fn convex(&self, holes: &[Hole]) -> Vec<Solid> {
+    /// Flanges, web and wedges of the fillets, with holes and cuts left free.
+    pub fn convex(&self, holes: &[Hole], cuts: &[Extent]) -> Vec<Solid> {
         let p = self.profile;
         let (w, f, r) = (p.tw / 2.0, p.h / 2.0 - p.tf, p.r);
         let mut out = Vec::new();
-        for block in self.blocks() {
+        for block in self.blocks().into_iter().flat_map(|b| without(b, cuts)) {
             out.extend(perforated(block, holes));
         }
         for (sw, sd) in [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)] {
@@ -148,7 +149,16 @@ impl Placed<'_> {
                     if sw * sd > 0.0 { (arc(i), arc(i + 1)) } else { (arc(i + 1), arc(i)) };
                 let start = self.turn(corner);
                 let edges = [from, to, corner].map(|q| OutlineEdge::Line { to: self.turn(q) });
-                out.push(self.prism(start, edges.to_vec()));
+                let across = [sw * w, sw * (w + r)];
+                let bounds = self.block(across, [sd * f, sd * (f - r)]).map(ordered);
+                for left in without(bounds, cuts) {
+                    // a piece that a cut leaves only a part of is left out over the whole cut
+                    let whole = (0..3).all(|k| k == self.along || left[k] == bounds[k]);
+                    if whole {
+                        let piece = Placed { span: left[self.along], ..*self };
+                        out.push(piece.prism(start, edges.to_vec()));
+                    }
+                }
             }
         }
         out
@@ -271,6 +281,17 @@ fn hexagon(
     let start = turn(corners[0]);
     let edges = (1..=6).map(|i| OutlineEdge::Line { to: turn(corners[i % 6]) }).collect();
     Solid::Prism { origin, u: unit(u), v: unit(v), start, edges, length: height }
+}
+
+/// An interval with its lower end first.
+fn ordered([a, b]: [f64; 2]) -> [f64; 2] {
+    [a.min(b), a.max(b)]
+}
+
+/// What cuts leave of a box.
+pub fn without(of: Extent, cuts: &[Extent]) -> Vec<Extent> {
+    let cut = |left: Vec<Extent>, c: &Extent| left.into_iter().flat_map(|e| minus(e, c)).collect();
+    cuts.iter().fold(vec![of], cut)
 }
 
 /// Convex pieces of a box, with the holes that pass right through it left free.

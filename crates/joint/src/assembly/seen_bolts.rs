@@ -33,7 +33,7 @@ pub(super) fn check(
     frames: &[Frame],
     seen: &EndPlate,
 ) -> Result<(), AssemblyError> {
-    let upright = [Frame { origin: [0.0; 3], along: 0, depth: 2 }];
+    let upright = [Frame { origin: [0.0; 3], along: 0, depth: 2, outward: 1.0 }];
     let frames = if frames.is_empty() { &upright } else { frames };
     let listed: Vec<[f64; 2]> =
         seen.rows.iter().flat_map(|&z| seen.columns().into_iter().map(move |y| [y, z])).collect();

@@ -102,9 +102,10 @@ impl Sheet {
 /// All sheets of a joint: flanges and webs of its profiles, then its plates. A plate that a web
 /// cuts is two.
 pub fn sheets(content: &Content, assembly: &Assembly) -> Vec<Sheet> {
-    let kinds = [SheetKind::Flange, SheetKind::Flange, SheetKind::Web];
     let of_profiles = content.members.iter().flat_map(|m| {
-        m.blocks.iter().zip(kinds).map(|(extent, kind)| Sheet::new(&m.part, kind, *extent))
+        let flanges = m.flanges.iter().map(|e| (SheetKind::Flange, e));
+        let all = flanges.chain(m.web.iter().map(|e| (SheetKind::Web, e)));
+        all.map(|(kind, extent)| Sheet::new(&m.part, kind, *extent))
     });
     let plates = content.pieces.iter().map(|p| Sheet::new(&p.part, SheetKind::Plate, p.extent));
     let mut all: Vec<Sheet> = of_profiles.chain(plates).collect();

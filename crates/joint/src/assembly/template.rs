@@ -6,16 +6,22 @@
 mod boundary;
 mod common;
 mod connections;
+mod cover_splice;
+mod hand_check_entry;
 mod hand_checks;
 mod parameter;
 mod parts;
+mod simple_joint;
 
 pub use boundary::{ClearanceEntry, EndEntry, SectionEntry, SupportEntry};
 pub use common::{Axis, Loop, RectangleEntry};
 pub use connections::{BoltEntry, ContactEntry, GripEntry, WeldEntry};
+pub use cover_splice::CoverSpliceEntry;
+pub use hand_check_entry::HandCheckEntry;
 pub use hand_checks::EndPlateEntry;
 pub use parameter::{Default, Parameter, ParameterKind};
-pub use parts::{BoxEntry, MidEntry, PartEntry, ProfileEntry, RoleEntry, SolidEntry};
+pub use parts::{BoxEntry, CutEntry, MidEntry, PartEntry, ProfileEntry, RoleEntry, SolidEntry};
+pub use simple_joint::SimpleJointEntry;
 
 use crate::spec::expr::Expr;
 use crate::spec::loads::LoadSpec;
@@ -70,7 +76,7 @@ pub struct Template {
     #[serde(default)]
     pub clearances: Vec<ClearanceEntry>,
     /// What the hand checks of the code see of it; absent: none are made.
-    pub hand_checks: Option<EndPlateEntry>,
+    pub hand_checks: Option<HandCheckEntry>,
     /// Load of the starter spec.
     pub starter_load: Option<LoadSpec>,
 }
@@ -78,7 +84,7 @@ pub struct Template {
 impl Template {
     /// Role of the column, if the hand checks have one.
     pub fn column(&self) -> Option<&String> {
-        self.hand_checks.as_ref().and_then(|h| h.column.as_ref())
+        self.hand_checks.as_ref()?.end_plate()?.column.as_ref()
     }
 }
 

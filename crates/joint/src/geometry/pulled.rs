@@ -3,6 +3,8 @@
 //! The bolts between the same parts form a group. Where all supports lie on one side of the group,
 //! the loads on the other side pass through it. Their force and moment are distributed over the
 //! bolts linearly. Where both sides are supported, every bolt may be pulled.
+//!
+//! A load on a face that crosses the grip comes along the plies: the bolt laps them and is sheared.
 
 use super::shank::Shank;
 use crate::assembly::Assembly;
@@ -18,6 +20,9 @@ const NO_PULL: f64 = 0.01;
 
 /// True unless every load case presses the bolt or leaves it without force.
 pub(super) fn may_be(assembly: &Assembly, bolt: &Shank) -> bool {
+    if laps(assembly, bolt) {
+        return false;
+    }
     let group: Vec<V3> = assembly
         .parts
         .iter()
@@ -32,6 +37,14 @@ pub(super) fn may_be(assembly: &Assembly, bolt: &Shank) -> bool {
         None => true,
         Some((force, moment, at)) => pulls(bolt, &group, out, force, moment, at),
     })
+}
+
+/// True if the face of a load crosses the grip of the bolt.
+fn laps(assembly: &Assembly, bolt: &Shank) -> bool {
+    let crossed = |f: &FaceRule| [1.0, -1.0].iter().all(|out| beyond(f, bolt, *out).is_none());
+    let faces =
+        assembly.loads.iter().filter_map(|l| assembly.faces.iter().find(|f| f.name == l.face));
+    faces.into_iter().any(crossed)
 }
 
 /// The side of the bolt's grip, +1 or −1 along its axis, without any support.

@@ -30,12 +30,20 @@ impl JointDrawings {
                 workshop: vec![(dxf::DXF_FILE.into(), plate(e, content, language))],
                 frame: Frame::of(e),
             },
-            None => {
-                let views = parts_drawing::views(content);
-                let pictures = vec![views.picture("drawing.svg", "Two views of the joint")];
-                Self { pictures, workshop: Vec::new(), frame: Frame::default() }
-            }
+            Some(Facts::Simple(e)) => Self::of_parts(content, Some(e.hole), language),
+            Some(Facts::CoverSplice(e)) => Self::of_parts(content, Some(e.hole), language),
+            None => Self::of_parts(content, None, language),
         }
+    }
+
+    /// The drawings of a joint that shows its parts alone, and its bolted plates; `hole`: the
+    /// diameter of the holes \[mm\], where hand checks know the plates.
+    fn of_parts(content: &Content, hole: Option<f64>, language: Language) -> Self {
+        let views = parts_drawing::views(content);
+        let pictures = vec![views.picture("drawing.svg", "Two views of the joint")];
+        let words = Words::new(language);
+        let workshop = hole.map(|hole| dxf::bolted_plates(content, hole, &words));
+        Self { pictures, workshop: workshop.unwrap_or_default(), frame: Frame::default() }
     }
 }
 

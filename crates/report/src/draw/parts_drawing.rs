@@ -107,7 +107,7 @@ impl View {
 
     /// Members, plates and bolts, the farthest first.
     fn solids(&self, d: &mut Drawing, joint: &Content, window: &Extent) {
-        let blocks = joint.members.iter().flat_map(|m| m.blocks).map(|b| (b, STEEL));
+        let blocks = joint.members.iter().flat_map(|m| m.blocks().map(|b| (*b, STEEL)));
         let mut boxes: Vec<(Extent, &str)> =
             blocks.chain(joint.pieces.iter().map(|p| (p.extent, PLATE))).collect();
         boxes.sort_by(|a, b| b.0[self.sight][0].total_cmp(&a.0[self.sight][0]));

@@ -2,7 +2,7 @@
 
 use super::bolts::Bolt;
 use super::context::Context;
-use super::shapes::{Body, Shape};
+use super::shapes::Shape;
 use crate::assembly::assembly::{Grip, Ply, Room, Section};
 use crate::assembly::error::AssemblyError;
 use crate::assembly::evaluate::{entry_fault, within};
@@ -97,12 +97,8 @@ impl Context<'_> {
                 let thickness = within(at, scope.length(&entry.thickness))?;
                 let steel = self.inputs.strength(self.spec, &entry.steel, thickness)?;
                 let mut blocks = Vec::new();
-                for Shape { body, .. } in self.shapes(entry, &scope)? {
-                    match body {
-                        Body::Profile(_, placed) => blocks.extend(placed.blocks()),
-                        Body::Cuboid(x) => blocks.push(x),
-                    }
-                }
+                let shapes = self.shapes(entry, &scope)?;
+                blocks.extend(shapes.iter().flat_map(Shape::plates));
                 out.insert(name, Bolted { steel, blocks });
             }
         }
@@ -116,7 +112,7 @@ fn room(centre: [f64; 3], axis: usize, blocks: &[[[f64; 2]; 3]], holes: &[Hole])
     let inside = |x: &&[[f64; 2]; 3]| (0..3).all(|k| x[k][0] <= centre[k] && centre[k] <= x[k][1]);
     let block = blocks.iter().find(inside)?;
     let axes = across(axis);
-    let edge = axes.map(|k| [centre[k] - block[k][0], block[k][1] - centre[k]]);
+    let edge = axes.map(|k| [0, 1].map(|side| to_edge(centre, (axis, k, side), block, blocks)));
     let mut pitch = [[f64::INFINITY; 2]; 2];
     for other in holes.iter().filter(|o| o.axis == axis) {
         let from = axes.map(|k| other.base[k] - centre[k]);
@@ -133,6 +129,26 @@ fn room(centre: [f64; 3], axis: usize, blocks: &[[[f64; 2]; 3]], holes: &[Hole])
         }
     }
     Some(Room { edge, pitch })
+}
+
+/// Distance from a point in `block` along axis `k` to the edge on a side of the plate: its boxes
+/// beside notches are equal along the axis of the hole.
+fn to_edge(
+    centre: [f64; 3],
+    (axis, k, side): (usize, usize, usize),
+    block: &[[f64; 2]; 3],
+    blocks: &[[[f64; 2]; 3]],
+) -> f64 {
+    let across = 3 - axis - k;
+    let mut edge = block[k][side];
+    while let Some(next) = blocks.iter().find(|b| {
+        b[axis] == block[axis]
+            && b[k][1 - side] == edge
+            && (b[across][0]..=b[across][1]).contains(&centre[across])
+    }) {
+        edge = next[k][side];
+    }
+    (edge - centre[k]).abs()
 }
 
 /// The largest distance between two holes \[mm\].
@@ -173,6 +189,20 @@ mod tests {
         assert_eq!(upper.edge, [[120.0, 30.0], [110.0, 90.0]]);
         assert_eq!(upper.pitch, [[90.0, f64::INFINITY], [70.0, f64::INFINITY]]);
         assert_eq!(of([20.0, 45.0, 110.0]), None);
+    }
+
+    /// Beside a notch a web is two boxes: the edge above the hole is that of the notch, the edge
+    /// along the beam is the far end of the web.
+    #[test]
+    fn the_room_of_a_hole_beside_a_notch() {
+        let web = [[0.0, 500.0], [-4.0, 4.0], [-140.0, 140.0]];
+        let notch = [[-10.0, 80.0], [-100.0, 100.0], [110.0, 150.0]];
+        let flange = [[80.0, 500.0], [-75.0, 75.0], [140.0, 150.0]];
+        let mut blocks = crate::assembly::content::minus(web, &notch);
+        blocks.push(flange);
+        let of = |x: f64| room([x, 0.0, 70.0], 1, &blocks, &[]).expect("inside").edge;
+        assert_eq!(of(50.0), [[50.0, 450.0], [210.0, 40.0]]);
+        assert_eq!(of(120.0), [[120.0, 380.0], [210.0, 70.0]]);
     }
 
     /// A hole in the next row on the other side counts in the direction that it is nearer to.

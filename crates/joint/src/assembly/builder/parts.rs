@@ -5,7 +5,7 @@ use super::shapes::{Body, Shape};
 use crate::assembly::assembly::{MidPlane, Part, PartMaterial, PartRole, Solid};
 use crate::assembly::error::AssemblyError;
 use crate::assembly::evaluate::{entry_fault, identifier, within};
-use crate::assembly::part::{Hole, cuboid, perforated};
+use crate::assembly::part::{Hole, cuboid, perforated, without};
 use crate::assembly::scope::Scope;
 use crate::assembly::template::{MidEntry, PartEntry, RoleEntry};
 use crate::spec::expr::ExprError;
@@ -25,19 +25,25 @@ impl Context<'_> {
         let name = identifier(at, within(at, scope.text(at))?)?;
         let holes = holes.get(name.as_str()).map_or(&[][..], Vec::as_slice);
         let (mut solids, mut convex, mut mid_planes) = (Vec::new(), Vec::new(), Vec::new());
-        for Shape { entry: solid, scope: s, body } in self.shapes(entry, scope)? {
-            match body {
+        for Shape { entry: solid, scope: s, body, cuts } in self.shapes(entry, scope)? {
+            let whole = match body {
                 Body::Profile(_, placed) => {
-                    solids.push(placed.solid());
-                    convex.extend(placed.convex(holes));
+                    convex.extend(placed.convex(holes, &cuts));
                     mid_planes.extend(placed.mid_planes());
+                    placed.solid()
                 }
                 Body::Cuboid(x) => {
-                    solids.push(cuboid(x[0], x[1], x[2]));
-                    convex.extend(perforated(x, holes));
+                    convex.extend(without(x, &cuts).into_iter().flat_map(|x| perforated(x, holes)));
                     mid_planes.push(within(at, mid_plane(&s, x, solid.mid.as_ref()))?);
+                    cuboid(x[0], x[1], x[2])
                 }
-            }
+            };
+            solids.push(if cuts.is_empty() {
+                whole
+            } else {
+                let cuts = cuts.into_iter().map(|[x, y, z]| cuboid(x, y, z));
+                Solid::Difference([whole].into_iter().chain(cuts).collect())
+            });
         }
         let body = match solids.len() {
             0 => return entry_fault(at, "the part has no solids"),

@@ -4,9 +4,9 @@ use super::context::Context;
 use crate::assembly::content::{Content, Extent, Fastener, Length, Piece, PieceKind, Ply, cut};
 use crate::assembly::error::AssemblyError;
 use crate::assembly::evaluate::{entry_fault, within};
-use crate::assembly::part::Placed;
+use crate::assembly::part::{Placed, without};
 use crate::assembly::scope::Scope;
-use crate::assembly::template::{PartEntry, SolidEntry};
+use crate::assembly::template::{BoxEntry, PartEntry, SolidEntry};
 use bracket_base::say;
 
 /// A solid in one turn of its loops.
@@ -14,6 +14,25 @@ pub(super) struct Shape<'a> {
     pub entry: &'a SolidEntry,
     pub scope: Scope,
     pub body: Body<'a>,
+    /// Boxes that are cut out of it.
+    pub cuts: Vec<Extent>,
+}
+
+impl Shape<'_> {
+    /// Its plates: the box, or flanges and web, without what is cut out.
+    pub fn plates(&self) -> Vec<Extent> {
+        let [first, second] = match &self.body {
+            Body::Profile(_, placed) => flanges_and_web(placed, &self.cuts),
+            Body::Cuboid(x) => [without(*x, &self.cuts), Vec::new()],
+        };
+        first.into_iter().chain(second).collect()
+    }
+}
+
+/// The flanges and the web of a profile without what is cut out.
+fn flanges_and_web(placed: &Placed<'_>, cuts: &[Extent]) -> [Vec<Extent>; 2] {
+    let [upper, lower, web] = placed.blocks();
+    [&[upper, lower][..], &[web]].map(|of| of.iter().flat_map(|b| without(*b, cuts)).collect())
 }
 
 /// A length of a profile with its member role, or a box.
@@ -47,20 +66,7 @@ impl Context<'_> {
                             p.centre.as_ref().map_or(Ok([0.0; 3]), |c| within(at, s.point(c)))?;
                         Body::Profile(&p.member, Placed { profile, along, depth, span, centre })
                     }
-                    (None, Some(b)) => {
-                        let x = [
-                            within(at, s.interval(&b.x))?,
-                            within(at, s.interval(&b.y))?,
-                            within(at, s.interval(&b.z))?,
-                        ];
-                        if let Some(k) = (0..3).find(|&k| x[k][1] - x[k][0] <= 0.0) {
-                            return entry_fault(
-                                at,
-                                format!("a box has no extent along {}", ["x", "y", "z"][k]),
-                            );
-                        }
-                        Body::Cuboid(x)
-                    }
+                    (None, Some(b)) => Body::Cuboid(cuboid(at, &s, b)?),
                     _ => {
                         return entry_fault(
                             at,
@@ -68,7 +74,13 @@ impl Context<'_> {
                         );
                     }
                 };
-                out.push(Shape { entry: solid, scope: s, body });
+                let mut cuts = Vec::new();
+                for cut in &solid.cut {
+                    for s in within(at, s.turns(&cut.each, cut.when.as_ref()))? {
+                        cuts.push(cuboid(at, &s, &cut.cuboid)?);
+                    }
+                }
+                out.push(Shape { entry: solid, scope: s, body, cuts });
             }
         }
         Ok(out)
@@ -142,24 +154,31 @@ impl Context<'_> {
         let shapes = self.shapes(entry, scope)?;
         let first = out.members.len();
         let mut boxes = Vec::new();
-        for Shape { entry: solid, scope, body } in shapes {
+        for Shape { entry: solid, scope, body, cuts } in shapes {
             let text =
                 |t: &Option<String>| t.as_ref().map(|t| within(at, scope.words(t))).transpose();
             let own = text(&solid.label)?;
             let no_check = text(&solid.no_check)?.or(text(&entry.no_check)?);
             match body {
-                Body::Profile(role, placed) => out.members.push(Length {
-                    part: part.clone(),
-                    label: own.unwrap_or_else(|| label.clone()),
-                    role: role.to_owned(),
-                    profile: placed.profile.name.clone(),
-                    along: placed.along,
-                    blocks: placed.blocks(),
-                    known: false,
-                    steel: steel.clone(),
-                    no_check,
-                }),
-                Body::Cuboid(extent) => boxes.push((extent, own, no_check)),
+                Body::Profile(role, placed) => {
+                    let [flanges, web] = flanges_and_web(&placed, &cuts);
+                    out.members.push(Length {
+                        part: part.clone(),
+                        label: own.unwrap_or_else(|| label.clone()),
+                        role: role.to_owned(),
+                        profile: placed.profile.name.clone(),
+                        along: placed.along,
+                        flanges,
+                        web,
+                        known: false,
+                        steel: steel.clone(),
+                        no_check,
+                    });
+                }
+                Body::Cuboid(extent) => {
+                    let left = without(extent, &cuts);
+                    boxes.extend(left.into_iter().map(|e| (e, own.clone(), no_check.clone())));
+                }
             }
         }
         let (webs, alone) = (&out.members[first..], out.members.len() == first);
@@ -167,7 +186,7 @@ impl Context<'_> {
             let cut_by = |pieces: Vec<Extent>, block: &Extent| {
                 pieces.into_iter().flat_map(|p| cut(p, block)).collect()
             };
-            let extents = webs.iter().flat_map(|m| &m.blocks).fold(vec![extent], cut_by);
+            let extents = webs.iter().flat_map(Length::blocks).fold(vec![extent], cut_by);
             let words = match alone {
                 true => label.clone(),
                 false => say!("plate of the {}", &label),
@@ -184,5 +203,18 @@ impl Context<'_> {
             }));
         }
         Ok(())
+    }
+}
+
+/// The extent of a box.
+fn cuboid(at: &str, s: &Scope, b: &BoxEntry) -> Result<Extent, AssemblyError> {
+    let x = [
+        within(at, s.interval(&b.x))?,
+        within(at, s.interval(&b.y))?,
+        within(at, s.interval(&b.z))?,
+    ];
+    match (0..3).find(|&k| x[k][1] - x[k][0] <= 0.0) {
+        Some(k) => entry_fault(at, format!("a box has no extent along {}", ["x", "y", "z"][k])),
+        None => Ok(x),
     }
 }

@@ -63,6 +63,23 @@ pub struct SolidEntry {
     pub no_check: Option<String>,
     /// How its plane at mid-thickness differs from the box's own extent.
     pub mid: Option<MidEntry>,
+    /// Boxes that are cut out of it, such as the notches of a beam.
+    #[serde(default)]
+    pub cut: Vec<CutEntry>,
+}
+
+/// A box that is cut out of a solid. It may reach beyond the solid.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CutEntry {
+    /// Loops.
+    #[serde(default, rename = "for")]
+    pub each: Vec<Loop>,
+    /// Only where this holds.
+    pub when: Option<Expr>,
+    /// Its extent.
+    #[serde(rename = "box")]
+    pub cuboid: BoxEntry,
 }
 
 /// A length of rolled section.

@@ -1,0 +1,109 @@
+//! The `hand_checks` of a template of any family: its key `kind` says which.
+
+use super::cover_splice::CoverSpliceEntry;
+use super::hand_checks::EndPlateEntry;
+use super::simple_joint::SimpleJointEntry;
+use schemars::JsonSchema;
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{self, DeserializeSeed, IntoDeserializer, MapAccess};
+use serde::{Deserialize, Deserializer};
+use std::fmt;
+
+/// What the hand checks of the code see of a connection. `kind` stands first; without it the
+/// connection is a bolted end plate.
+#[derive(Clone, Debug, JsonSchema)]
+#[serde(untagged)]
+pub enum HandCheckEntry {
+    /// `kind` absent or `end_plate`.
+    EndPlate(Box<EndPlateEntry>),
+    /// `kind: fin_plate` or `kind: header_plate`.
+    Simple(SimpleJointEntry),
+    /// `kind: cover_splice`.
+    CoverSplice(CoverSpliceEntry),
+}
+
+impl HandCheckEntry {
+    /// The member ends that are joined by the connection.
+    pub fn ends(&self) -> &[String] {
+        match self {
+            HandCheckEntry::EndPlate(e) => &e.ends,
+            HandCheckEntry::Simple(e) => &e.ends,
+            HandCheckEntry::CoverSplice(e) => &e.ends,
+        }
+    }
+
+    fn of_end_plate(entry: EndPlateEntry) -> Self {
+        HandCheckEntry::EndPlate(Box::new(entry))
+    }
+
+    /// The entry of an end plate; `None` of another family.
+    pub fn end_plate(&self) -> Option<&EndPlateEntry> {
+        match self {
+            HandCheckEntry::EndPlate(e) => Some(e),
+            _ => None,
+        }
+    }
+}
+
+/// The values of `kind`.
+const KINDS: [&str; 4] = ["end_plate", "fin_plate", "header_plate", "cover_splice"];
+
+impl<'de> Deserialize<'de> for HandCheckEntry {
+    fn deserialize<D: Deserializer<'de>>(d: D) -> Result<Self, D::Error> {
+        struct V;
+        impl<'de> de::Visitor<'de> for V {
+            type Value = HandCheckEntry;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("the quantities of the hand checks")
+            }
+            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Self::Value, A::Error> {
+                let first = map.next_key::<String>()?;
+                if first.as_deref() != Some("kind") {
+                    let all = MapAccessDeserializer::new(PutBack { first, map });
+                    return EndPlateEntry::deserialize(all).map(HandCheckEntry::of_end_plate);
+                }
+                let kind: String = map.next_value()?;
+                let rest = MapAccessDeserializer::new(map);
+                match kind.as_str() {
+                    "end_plate" => {
+                        EndPlateEntry::deserialize(rest).map(HandCheckEntry::of_end_plate)
+                    }
+                    "fin_plate" | "header_plate" => {
+                        let entry = SimpleJointEntry::deserialize(rest)?;
+                        let header = kind == "header_plate";
+                        Ok(HandCheckEntry::Simple(SimpleJointEntry { header, ..entry }))
+                    }
+                    "cover_splice" => {
+                        CoverSpliceEntry::deserialize(rest).map(HandCheckEntry::CoverSplice)
+                    }
+                    _ => Err(de::Error::unknown_variant(&kind, &KINDS)),
+                }
+            }
+        }
+        d.deserialize_map(V)
+    }
+}
+
+/// A mapping whose first key is put back.
+struct PutBack<A> {
+    first: Option<String>,
+    map: A,
+}
+
+impl<'de, A: MapAccess<'de>> MapAccess<'de> for PutBack<A> {
+    type Error = A::Error;
+
+    fn next_key_seed<K: DeserializeSeed<'de>>(
+        &mut self,
+        seed: K,
+    ) -> Result<Option<K::Value>, A::Error> {
+        match self.first.take() {
+            Some(key) => seed.deserialize(key.into_deserializer()).map(Some),
+            None => self.map.next_key_seed(seed),
+        }
+    }
+
+    fn next_value_seed<S: DeserializeSeed<'de>>(&mut self, seed: S) -> Result<S::Value, A::Error> {
+        self.map.next_value_seed(seed)
+    }
+}
