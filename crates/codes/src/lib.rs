@@ -8,6 +8,7 @@
 pub mod check;
 pub mod classification;
 pub mod component_method;
+pub mod cover_splice;
 pub mod design_code;
 pub mod ductility;
 pub mod end_plate;
@@ -23,6 +24,7 @@ pub mod whole_joint;
 pub mod worked;
 
 pub use check::{Binding, Check, CheckId, Status, Step, Topic, Unit};
+pub use cover_splice::splice_checks;
 pub use end_plate::{Comparison, HandChecks, JointStiffness, MomentAxial, PureMoment, hand_checks};
 pub use error::CheckError;
 pub use judgement::{Analysed, Governing, Judgement, judge};

@@ -8,8 +8,8 @@ use bracket_base::words::Text;
 use bracket_joint::assembly::{EndPlate, NotChecked, UnseenLoad};
 
 /// Loads that the checks leave out.
-pub(super) fn unseen_loads(e: &EndPlate) -> Vec<Check> {
-    let unseen = |l: &UnseenLoad| {
+pub(crate) fn unseen_loads(unseen: &[UnseenLoad]) -> Vec<Check> {
+    let check = |l: &UnseenLoad| {
         let (clause, id) = ("EN 1993-1-8:2005 6.2", CheckId::LoadsNotHeld);
         let topic = Topic::ComponentMethod;
         let (why, step) = (l.why.clone(), l.step.clone());
@@ -17,12 +17,12 @@ pub(super) fn unseen_loads(e: &EndPlate) -> Vec<Check> {
             .without_method()
             .of_case(&l.case)
     };
-    e.unseen.iter().map(unseen).collect()
+    unseen.iter().map(check).collect()
 }
 
 /// Parts of the geometry that the checks leave out, and parts that they count and the geometry
 /// lacks.
-pub(super) fn not_checked(e: &EndPlate) -> Vec<Check> {
+pub(crate) fn not_checked(parts: &[NotChecked]) -> Vec<Check> {
     let check = |n: &NotChecked| {
         let (topic, id) = (Topic::Member, CheckId::NotChecked);
         let (label, clause) = (Place::Named(n.label.clone()), "EN 1993-1-8:2005 2.4");
@@ -36,7 +36,7 @@ pub(super) fn not_checked(e: &EndPlate) -> Vec<Check> {
         };
         check.naming(Text::joined(", ", n.parts.clone()))
     };
-    e.not_checked.iter().map(check).collect()
+    parts.iter().map(check).collect()
 }
 
 /// Fillet welds of steels for which Table 4.1 has no β_w: the code gives them no strength.

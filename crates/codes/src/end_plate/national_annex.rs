@@ -7,6 +7,7 @@ use crate::formula::{Number, Traced};
 use crate::subject::{Part, Place};
 use bracket_base::say;
 use bracket_joint::assembly::EndPlate;
+use bracket_joint::catalog::BoltGrade;
 use bracket_joint::spec::code::FySource;
 
 /// The catalogue's name of the annex of the United Kingdom.
@@ -86,12 +87,7 @@ fn british(e: &EndPlate) -> Vec<Check> {
 /// The annex of Germany.
 fn german(e: &EndPlate) -> Vec<Check> {
     let mut out = german_throats(e);
-    if GERMAN_EXCLUDED.contains(&e.grade.grade.as_str()) {
-        let (clause, id) = ("DIN EN 1993-1-8/NA, NDP to 3.1.1(3)", CheckId::AnnexBoltClass);
-        let words = say!("bolts of class {} may not be used in Germany", &e.grade.grade);
-        let check = Check::assumption(Topic::Detailing, Part::Bolts, clause, id, words);
-        out.push(Check { status: Status::Failed, binding: Binding::Beside, ..check });
-    }
+    out.extend(excluded_class(e.annex.as_deref(), &e.grade));
     out.push(Check::assumption(
         Topic::Detailing,
         Place::Annex(GERMANY.into()),
@@ -102,6 +98,16 @@ fn german(e: &EndPlate) -> Vec<Check> {
          classification; 6.2.7.2(9), forces of the rows; are not covered",
     ));
     out
+}
+
+/// A bolt class that an annex excludes.
+pub(crate) fn excluded_class(annex: Option<&str>, grade: &BoltGrade) -> Option<Check> {
+    (annex == Some(GERMANY) && GERMAN_EXCLUDED.contains(&grade.grade.as_str())).then(|| {
+        let (clause, id) = ("DIN EN 1993-1-8/NA, NDP to 3.1.1(3)", CheckId::AnnexBoltClass);
+        let words = say!("bolts of class {} may not be used in Germany", &grade.grade);
+        let check = Check::assumption(Topic::Detailing, Part::Bolts, clause, id, words);
+        Check { status: Status::Failed, binding: Binding::Beside, ..check }
+    })
 }
 
 /// Least throats beside the thicker of the parts that a weld joins.

@@ -8,7 +8,7 @@ use crate::worked::Worked;
 /// Position of a bolt in the direction of the force.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Along {
-    /// An end bolt with the end distance e1 \[mm\].
+    /// An end bolt with the end distance e1 \[mm\]; infinite for a bolt far from any end.
     End {
         /// End distance.
         e1: f64,
@@ -35,9 +35,9 @@ pub enum Hole {
 pub struct Bearing {
     /// Position along the force.
     pub along: Along,
-    /// Edge distance across the force \[mm\].
+    /// Edge distance across the force \[mm\]; infinite where no edge is near.
     pub e2: f64,
-    /// Pitch across the force to the next column of bolts \[mm\].
+    /// Pitch across the force to the next column of bolts \[mm\]; infinite without one.
     pub p2: f64,
     /// Kind of hole.
     pub hole: Hole,
@@ -66,6 +66,7 @@ impl Bearing {
         let n = Traced::from;
         let d0 = || Traced::length("d0", self.d0);
         let alpha_d = match self.along {
+            Along::End { e1: f64::INFINITY } => n(1.0),
             Along::End { e1 } => Traced::length("e1", e1) / (n(3.0) * d0()),
             Along::Inner { p1 } => Traced::length("p1", p1) / (n(3.0) * d0()) - n(0.25),
         };
@@ -73,9 +74,13 @@ impl Bearing {
         let f_u = Traced::stress("f_u", self.fu);
         let strengths = Traced::stress("f_ub", self.fub) / f_u.clone();
         let alpha_b = alpha_d.clone().min(strengths).min(n(1.0)).named("α_b", Unit::Number);
-        let edge = n(2.8) * Traced::length("e2", self.e2) / d0() - n(1.7);
-        let inner = n(1.4) * Traced::length("p2", self.p2) / d0() - n(1.7);
-        let k1 = edge.min(inner).min(n(2.5)).named("k1", Unit::Number);
+        let across = |factor, symbol: &'static str, distance: f64| {
+            let limit = || n(factor) * Traced::length(symbol, distance) / d0() - n(1.7);
+            distance.is_finite().then(limit)
+        };
+        let near = [across(2.8, "e2", self.e2), across(1.4, "p2", self.p2)];
+        let least = near.into_iter().flatten().reduce(Number::min);
+        let k1 = least.map_or_else(|| n(2.5), |k| k.min(n(2.5))).named("k1", Unit::Number);
         let factors = match self.hole {
             Hole::Normal => k1.clone(),
             Hole::Oversize => Traced::number("β", 0.8) * k1.clone(),

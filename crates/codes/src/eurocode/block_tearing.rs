@@ -32,13 +32,36 @@ impl Blocks {
     /// # Source
     /// EN 1993-1-8:2005 3.10.2(2), formula 3.9.
     pub fn resistance(&self, gamma_m0: f64, gamma_m2: f64) -> Worked {
+        self.torn(1.0, ("EN 1993-1-8:2005 3.10.2(2)", "V_eff,1,Rd"), gamma_m0, gamma_m2)
+    }
+
+    /// Design resistance of a bolt group under an eccentric force \[N\].
+    ///
+    /// `V_eff,2,Rd = 0.5 f_u A_nt/γ_M2 + f_y A_nv/(√3 γ_M0)`.
+    ///
+    /// # Source
+    /// EN 1993-1-8:2005 3.10.2(3), formula 3.10.
+    pub fn eccentric(&self, gamma_m0: f64, gamma_m2: f64) -> Worked {
+        self.torn(0.5, ("EN 1993-1-8:2005 3.10.2(3)", "V_eff,2,Rd"), gamma_m0, gamma_m2)
+    }
+
+    /// The resistance with a share of the face in tension.
+    fn torn(
+        &self,
+        share: f64,
+        (clause, symbol): (&'static str, &'static str),
+        gamma_m0: f64,
+        gamma_m2: f64,
+    ) -> Worked {
         let area = |length: f64| self.count * length.max(0.0) * self.thickness;
         let (tension, shear) = (area(self.tension), area(self.shear));
         let [a_nt, a_nv] = [("A_nt", tension), ("A_nv", shear)].map(|(a, v)| Traced::area(a, v));
         let [f_u, f_y] = [("f_u", self.fu), ("f_y", self.fy)].map(|(f, v)| Traced::stress(f, v));
         let [m0, m2] = [("γ_M0", gamma_m0), ("γ_M2", gamma_m2)].map(|(g, v)| Traced::number(g, v));
-        let value = f_u * a_nt.clone() / m2 + in_shear(f_y * a_nv.clone(), m0);
-        let (clause, id) = ("EN 1993-1-8:2005 3.10.2(2)", CheckId::BlockTearing);
-        Worked::of(clause, id, "V_eff,1,Rd", value, Unit::Force).with_symbols([&a_nt, &a_nv])
+        let torn = f_u * a_nt.clone() / m2;
+        let torn = if share == 1.0 { torn } else { Traced::from(share) * torn };
+        let value = torn + in_shear(f_y * a_nv.clone(), m0);
+        let id = CheckId::BlockTearing;
+        Worked::of(clause, id, symbol, value, Unit::Force).with_symbols([&a_nt, &a_nv])
     }
 }

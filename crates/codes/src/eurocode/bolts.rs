@@ -1,5 +1,6 @@
 //! Tension and shear of single bolts: EN 1993-1-8:2005 Table 3.4.
 
+use super::holes::shear_factor;
 use crate::check::{CheckId, within};
 use crate::formula::{Number, Traced};
 use crate::unit::Unit;
@@ -42,6 +43,17 @@ pub fn beta_lf<N: Number>(length: N, d: N) -> N {
     beta.max(n(0.75)).min(n(1.0))
 }
 
+/// Reduction of the shear resistance of bolts that pass through packs, `β_p = 9 d/(8 d + 3 t_p)`, at
+/// most 1; `pack` t_p of the thicker pack at a shear plane, `d` of the bolt \[mm\]. It is 1 up to
+/// t_p = d/3.
+///
+/// # Source
+/// EN 1993-1-8:2005 3.6.1(12) and (13), formula 3.3.
+pub fn beta_p<N: Number>(pack: N, d: N) -> N {
+    let n = N::from;
+    (n(9.0) * d.clone() / (n(8.0) * d + n(3.0) * pack)).min(n(1.0))
+}
+
 /// Design yield strength of a shank that yields under F_t,Rd: `F_t,Rd` over the area of the shank.
 ///
 /// # Source
@@ -65,6 +77,51 @@ pub fn tension_resistance(bolt: &BoltSize, grade: &BoltGrade, gamma_m2: f64) -> 
 pub fn long_joint(length: f64, d: f64) -> Worked {
     let value = beta_lf(Traced::length("L_j", length), Traced::length("d", d));
     Worked::of("EN 1993-1-8:2005 3.8(1)", CheckId::LongJoint, "β_Lf", value, Unit::Number)
+}
+
+/// [`beta_p`] of a joint.
+pub fn packing(pack: f64, d: f64) -> Worked {
+    let value = beta_p(Traced::length("t_p", pack), Traced::length("d", d));
+    Worked::of("EN 1993-1-8:2005 3.6.1(12)", CheckId::Packing, "β_p", value, Unit::Number)
+}
+
+/// What reduces the shear resistance of the bolts of a joint \[mm\].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ShearJoint {
+    /// Diameter of the holes.
+    pub hole: f64,
+    /// Length L_j between the end bolts in the direction of the force.
+    pub length: f64,
+    /// Thickness t_p of the thicker pack at a shear plane; 0: no packs.
+    pub pack: f64,
+}
+
+/// F_v,Rd of a bolt per shear plane, thread in the plane: [`shear_resistance`] reduced for small
+/// bolts in wide holes, for a long joint and for packs.
+///
+/// # Source
+/// EN 1993-1-8:2005 Table 3.4, 3.6.1(5), 3.6.1(12), 3.8(1).
+pub fn shear_in_joint(
+    bolt: &BoltSize,
+    grade: &BoltGrade,
+    joint: ShearJoint,
+    gamma_m2: f64,
+) -> Worked {
+    let mut worked = shear_resistance(bolt, grade, gamma_m2);
+    let whole = worked.traced();
+    let mut reduced = whole.clone();
+    let small = shear_factor(bolt, grade, joint.hole);
+    if small < 1.0 {
+        worked = worked.then("small bolts in holes wider than normal (3.6.1(5))");
+        reduced = Traced::from(small) * reduced;
+    }
+    for factor in [long_joint(joint.length, bolt.d), packing(joint.pack, bolt.d)] {
+        if factor.value < 1.0 {
+            reduced = reduced * factor.traced();
+            worked.derivation = worked.derivation.followed_by(factor.derivation);
+        }
+    }
+    if reduced == whole { worked } else { worked.becomes("F_v,Rd,red", reduced) }
 }
 
 /// [`f_v_rd`] of a bolt.

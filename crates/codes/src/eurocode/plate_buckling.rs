@@ -1,9 +1,6 @@
 //! Stability by reduced stress: EN 1993-1-5:2006 section 10.
 
-/// Imperfection factor of curve c, EN 1993-1-1:2005 Table 6.1.
-const CURVE_C: f64 = 0.49;
-/// Slenderness up to which a column curve reduces nothing.
-const PLATEAU: f64 = 0.2;
+use super::column_curve::{CURVE_C, PLATEAU, chi, phi};
 
 /// Reduction factor ρ ≤ 1 of a structure whose loads yield it at `ultimate` times (α_ult,k) and
 /// make it buckle elastically at `critical` times (α_cr), both positive.
@@ -23,9 +20,7 @@ pub fn reduction(ultimate: f64, critical: f64) -> f64 {
     if slenderness <= PLATEAU {
         return 1.0;
     }
-    let square = slenderness * slenderness;
-    let phi = 0.5 * (1.0 + CURVE_C * (slenderness - PLATEAU) + square);
-    (1.0 / (phi + (phi * phi - square).sqrt())).min(1.0)
+    chi(phi(CURVE_C, slenderness), slenderness)
 }
 
 #[cfg(test)]

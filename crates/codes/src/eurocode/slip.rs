@@ -1,10 +1,31 @@
 //! Preload and slip: EN 1993-1-8:2005 3.9.
 
-use crate::check::CheckId;
+use crate::check::{CheckId, Status};
 use crate::formula::{Number, Traced};
 use crate::unit::Unit;
 use crate::worked::Worked;
 use bracket_joint::catalog::{BoltGrade, BoltSize};
+use bracket_joint::spec::connection::BoltCategory;
+use bracket_joint::spec::loads::LimitState;
+
+/// Whether slip is checked in a limit state, as the id of the check, and the status of the check
+/// where it fails. Without a category slip need not be prevented.
+///
+/// # Source
+/// EN 1993-1-8:2005 3.4.1, Table 3.2.
+pub fn demanded(category: Option<BoltCategory>, state: LimitState) -> Option<(CheckId, Status)> {
+    const ULTIMATE: CheckId = CheckId::SlipUltimate;
+    const SERVICEABILITY: CheckId = CheckId::SlipServiceability;
+    match (category, state) {
+        (Some(BoltCategory::B), LimitState::Serviceability) => {
+            Some((SERVICEABILITY, Status::Failed))
+        }
+        (Some(BoltCategory::C), LimitState::Ultimate) => Some((ULTIMATE, Status::Failed)),
+        (Some(_), _) => None,
+        (None, LimitState::Serviceability) => Some((SERVICEABILITY, Status::Warning)),
+        (None, LimitState::Ultimate) => Some((ULTIMATE, Status::Warning)),
+    }
+}
 
 /// Holes of a slip-resistant connection, Table 3.6.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

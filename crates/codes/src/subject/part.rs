@@ -40,6 +40,28 @@ pub enum Part {
     Doubler,
     /// The rib on the beam flange.
     Rib,
+    /// The member before the splice axis.
+    LeftMember,
+    /// The member behind the splice axis.
+    RightMember,
+    /// The upper flange of a spliced member.
+    UpperFlange,
+    /// The lower flange of a spliced member.
+    LowerFlange,
+    /// Either flange of a spliced member.
+    SplicedFlange,
+    /// The web of a spliced member.
+    SplicedWeb,
+    /// The cover outside a flange.
+    OuterCover,
+    /// The pair of covers inside a flange.
+    InnerCovers,
+    /// The two covers of a web.
+    WebCovers,
+    /// The bolts of a flange on one side of the splice axis.
+    FlangeBolts,
+    /// The bolts of a web on one side of the splice axis.
+    WebBolts,
     /// The bolts.
     Bolts,
     /// The rows of bolts.
@@ -75,6 +97,17 @@ impl Part {
             Part::FlangesAndStiffeners => "flanges and stiffeners",
             Part::Doubler => "web doubler",
             Part::Rib => "rib",
+            Part::LeftMember => "left member",
+            Part::RightMember => "right member",
+            Part::UpperFlange => "upper flange",
+            Part::LowerFlange => "lower flange",
+            Part::SplicedFlange => "flange",
+            Part::SplicedWeb => "web",
+            Part::OuterCover => "outer cover",
+            Part::InnerCovers => "inner covers",
+            Part::WebCovers => "web covers",
+            Part::FlangeBolts => "flange bolts",
+            Part::WebBolts => "web bolts",
             Part::Bolts => "bolts",
             Part::BoltRows => "bolt rows",
             Part::Holes => "holes",
