@@ -1,5 +1,6 @@
 //! `bracket import` as the compiled program: a frame of two bays becomes a sweep of its joints.
 
+mod container;
 mod frame;
 mod guide;
 mod refused;
