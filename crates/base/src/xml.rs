@@ -193,8 +193,10 @@ mod tests {
     fn a_file_shows_that_it_is_a_document() {
         let dir = tempfile::tempdir().expect("a folder");
         let path = dir.path().join("a");
-        let wide: Vec<u8> =
-            [0xff, 0xfe].into_iter().chain(TEXT.encode_utf16().flat_map(u16::to_le_bytes)).collect();
+        let wide: Vec<u8> = [0xff, 0xfe]
+            .into_iter()
+            .chain(TEXT.encode_utf16().flat_map(u16::to_le_bytes))
+            .collect();
         for (bytes, is) in [
             (wide.as_slice(), true),
             (TEXT.as_bytes(), true),

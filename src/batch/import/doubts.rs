@@ -134,7 +134,9 @@ mod tests {
         };
         assert_eq!(told(10e6, true), None);
         assert_eq!(told(-20e6, false), None);
-        assert!(told(9e6, true).is_some_and(|t| t.contains("bring 20.0 kN m") && t.contains("9.0")));
+        assert!(
+            told(9e6, true).is_some_and(|t| t.contains("bring 20.0 kN m") && t.contains("9.0"))
+        );
         assert!(told(15e6, false).is_some_and(|t| t.contains("all of them")));
         let side = [(ActionPoint::Node, None)];
         let at = (&row, Path::new("joints.csv"));

@@ -62,8 +62,10 @@ impl Sum {
 
 /// The worst of the remainders, the first of equal ones.
 fn worst<'a>(sums: impl Iterator<Item = (Sum, &'a str)>) -> Option<Residual> {
-    let of = |(sum, case): (Sum, &str)| {
-        Residual { value: sum.value, scale: sum.scale, case: case.to_owned() }
+    let of = |(sum, case): (Sum, &str)| Residual {
+        value: sum.value,
+        scale: sum.scale,
+        case: case.to_owned(),
     };
     sums.fold(None, |worst: Option<(Sum, &str)>, r| match worst {
         Some(w) if w.0.value.abs() >= r.0.value.abs() => Some(w),
@@ -166,10 +168,7 @@ mod tests {
         }
     }
 
-    fn residuals(
-        loads: &EndLoads,
-        ends: &[(ActionPoint, Option<f64>)],
-    ) -> Option<Residuals> {
+    fn residuals(loads: &EndLoads, ends: &[(ActionPoint, Option<f64>)]) -> Option<Residuals> {
         Residuals::worst(&of_cases(loads, ends)?)
     }
 

@@ -1,8 +1,8 @@
 //! Imports forces and joints into a folder.
 
 use super::column_forces::ColumnForces;
-use super::end_loads::{EndLoads, Reader};
 use super::doubts;
+use super::end_loads::{EndLoads, Reader};
 use super::equilibrium::{OfCase, Residuals, of_cases};
 use super::forces_file::ForcesFile;
 use super::import_folder;
@@ -16,10 +16,10 @@ use crate::batch::load_lists::LoadLists;
 use crate::batch::sweep_file::open_catalog;
 use bracket_base::diag::{Diagnostic, Diagnostics};
 use bracket_base::text_file;
+use bracket_base::xml::is_xml;
 use bracket_base::yaml::{self, Parsed, PlaceIndex};
 use bracket_joint::assembly::template_file;
 use bracket_joint::catalog::Catalog;
-use bracket_base::xml::is_xml;
 use bracket_joint::forces::{ForceTables, Program, iom_model, saf_model};
 use bracket_joint::spec::loads::ActionPoint;
 use bracket_report::result::folder::ResultFolder;
@@ -161,7 +161,8 @@ pub fn import(
     let residuals = residuals_table::text(names.zip(sums.iter().map(Vec::as_slice)));
     let folder = import_folder::begin(&request.out)?;
     begun(&folder);
-    let sweep = import_folder::finish(folder, &table, (&loads, residuals.as_deref()), (&spec, &from))?;
+    let sweep =
+        import_folder::finish(folder, &table, (&loads, residuals.as_deref()), (&spec, &from))?;
     Ok(Imported { joints, sweep, doubts, of_model })
 }
 

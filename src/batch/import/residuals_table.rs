@@ -2,7 +2,6 @@
 
 use super::equilibrium::OfCase;
 use bracket_report::escaped::csv_cell;
-use std::fmt::Write as _;
 
 /// Name of the file.
 pub const FILE: &str = "residuals.csv";
@@ -10,11 +9,21 @@ pub const FILE: &str = "residuals.csv";
 /// Relative size of the steps in which a remainder is written: a sum has the noise of its parts.
 const DIGITS: usize = 11;
 
+/// The headers.
+const HEADERS: [&str; 6] = [
+    "joint",
+    "load_case",
+    "vertical [kN]",
+    "largest_part [kN]",
+    "moment [kN m]",
+    "largest_part [kN m]",
+];
+
 /// The table; `None` if no joint has a member of the column.
 pub fn text<'a>(joints: impl Iterator<Item = (&'a str, &'a [OfCase])>) -> Option<String> {
-    let mut out = "joint,load_case,vertical [kN],largest_part [kN],moment [kN m],largest_part \
-                   [kN m]\n"
-        .to_string();
+    let mut out = csv::Writer::from_writer(Vec::new());
+    // a writer to memory cannot fail
+    let _ = out.write_record(HEADERS);
     let mut any = false;
     for (name, cases) in joints {
         for case in cases {
@@ -22,15 +31,12 @@ pub fn text<'a>(joints: impl Iterator<Item = (&'a str, &'a [OfCase])>) -> Option
             let [force, part] = [case.vertical.value, case.vertical.scale].map(|x| plain(x, 1e3));
             let moment = case.moment.map(|m| [m.value, m.scale].map(|x| plain(x, 1e6)));
             let [moment, of_moment] = moment.unwrap_or_default();
-            let names = [name, &case.case].map(csv_cell);
-            let _ = writeln!(
-                out,
-                "{},{},{force},{part},{moment},{of_moment}",
-                names[0], names[1]
-            );
+            let [name, case] = [name, &case.case].map(|n| csv_cell(n).to_string());
+            let _ = out.write_record([name, case, force, part, moment, of_moment]);
         }
     }
-    any.then_some(out)
+    let text = String::from_utf8(out.into_inner().ok()?).ok()?;
+    any.then_some(text)
 }
 
 /// A value in a unit without the noise of its last digits.

@@ -172,7 +172,8 @@ fn wrong_containers_are_refused_in_words() {
         assert!(text.contains(old), "{old}");
         let bench = bench(&text.replacen(old, new, 1));
         let want = Want { exit: 2, code, place, message, cure };
-        results.push((format!("{old} -> {new}"), refusal(&bench, &mut bench.command(&ARGS), &want)));
+        results
+            .push((format!("{old} -> {new}"), refusal(&bench, &mut bench.command(&ARGS), &want)));
     }
     none_wrong(results);
 }

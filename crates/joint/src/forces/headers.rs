@@ -250,7 +250,8 @@ fn holds_units(
         .filter_map(|i| below.cells.get(i).map(|c| bare(c)))
         .collect();
     let loads = |u: &&str| factor(u, Quantity::N).or(factor(u, Quantity::My)).is_some();
-    let begins_as_number = |c: &&str| c.starts_with(|c: char| c.is_ascii_digit() || "+-−".contains(c));
+    let begins_as_number =
+        |c: &&str| c.starts_with(|c: char| c.is_ascii_digit() || "+-−".contains(c));
     cells.iter().any(loads) && !cells.iter().any(begins_as_number)
 }
 

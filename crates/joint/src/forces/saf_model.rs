@@ -90,8 +90,7 @@ fn of(
     file: &Path,
 ) -> Result<FrameModel, Diagnostics> {
     let cell = |row: &Row, i: usize| row.cells.get(i).cloned().unwrap_or_default();
-    let [material, quality] =
-        [materials.column("Name", file)?, materials.column("Quality", file)?];
+    let [material, quality] = [materials.column("Name", file)?, materials.column("Quality", file)?];
     let qualities: BTreeMap<String, String> =
         materials.rows.iter().map(|r| (cell(r, material), cell(r, quality))).collect();
     let [name, of, profile] = [
@@ -100,10 +99,8 @@ fn of(
         sections.column("Profile", file)?,
     ];
     let form = sections.column("Form code", file).ok();
-    let known: BTreeMap<String, &Row> =
-        sections.rows.iter().map(|r| (cell(r, name), r)).collect();
-    let [member, section] =
-        [members.column("Name", file)?, members.column("Cross section", file)?];
+    let known: BTreeMap<String, &Row> = sections.rows.iter().map(|r| (cell(r, name), r)).collect();
+    let [member, section] = [members.column("Name", file)?, members.column("Cross section", file)?];
     let mut out = BTreeMap::new();
     for row in &members.rows {
         let section = cell(row, section);

@@ -134,16 +134,21 @@ fn helps_for_a_command() {
         ("a,b\n1,2\n", None, "`--mapping`"),
         ("case,N [kN],N [kN]\nA,1,2\n", None, "delete or rename"),
         ("case,N [kN],MY [kNm]\nA,1,2\n", None, "`--mapping` that knows it"),
-        ("Bar,Case,FX (kN),FY (kN),FZ (kN),MX (kNm),MY (kNm),MZ (kNm)\n1,1,0,0,0,0,0,0\n", None,
-            "`--mapping robot`"),
-        ("Member No.;Location x [m];LC;N [kN];My [kNm]\n1;0,00;1;0,00;-2,50\n", None,
-            "with `--mapping`"),
-        ("LC;Stab;N [kN];X [kNm]\n1;1;0,00;1,5\n", Some(Program::Rfem), "`--mapping` that"),
+        (
+            "Bar,Case,FX (kN),FY (kN),FZ (kN),MX (kNm),MY (kNm),MZ (kNm)\n1,1,0,0,0,0,0,0\n",
+            None,
+            "`--mapping robot`",
+        ),
+        (
+            "Member No.;Location x [m];LC;N [kN];My [kNm]\n1;0,00;1;0,00;-2,50\n",
+            None,
+            "with `--mapping`",
+        ),
+        ("LC;Stab;N [kN];Q [kNm]\n1;1;0,00;1,5\n", Some(Program::Rfem), "`--mapping` that"),
     ] {
         let grid = bracket_base::grid::of_text(text, Comments::None).expect("a table");
         let file = Path::new("forces.csv");
-        let source =
-            Source { file, sheet: None, program, columns: &none, asked: Asked::Command };
+        let source = Source { file, sheet: None, program, columns: &none, asked: Asked::Command };
         let d = read::of_grid(&grid, &source).map(drop).expect_err(text).into_first();
         let told = d.help.unwrap_or_default();
         assert!(told.contains(help) && !told.contains("columns:"), "{text}: {told}");

@@ -56,8 +56,8 @@ impl<'a> Parts<'a> {
     /// The part that a reference (`TypeName`, `Id`) names, which must be in this list.
     pub fn referred(&self, at: Element<'a>, list: &str) -> Result<Element<'a>, Box<Diagnostic>> {
         let id = self.text(at, "Id")?;
-        self.get(list, id).ok_or_else(|| {
-            let told = at.text_of("TypeName").unwrap_or(list);
+        let told = at.text_of("TypeName").unwrap_or(list);
+        self.get(list, id).filter(|_| told == list).ok_or_else(|| {
             let message = match told == list {
                 true => format!("the model has no `{list}` with the Id {id}"),
                 false => format!("a `{told}` stands where only a `{list}` is read"),

@@ -76,7 +76,8 @@ fn member<'m, 'a>(
         _ => None,
     };
     found.ok_or_else(|| {
-        let message = format!("the result belongs to the {kind} {id}, which the model does not have");
+        let message =
+            format!("the result belongs to the {kind} {id}, which the model does not have");
         parts.fault(at, message, "export model and results of the same project together")
     })
 }

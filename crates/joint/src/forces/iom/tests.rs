@@ -19,7 +19,8 @@ fn model() -> String {
     let line = |a: usize, b: usize| {
         reference("StartPoint", "Point3D", a) + &reference("EndPoint", "Point3D", b)
     };
-    let element = |i: usize| format!("<Name>E{i}</Name>") + &reference("Segment", "LineSegment3D", i);
+    let element =
+        |i: usize| format!("<Name>E{i}</Name>") + &reference("Segment", "LineSegment3D", i);
     let member = |name: &str, elements: &[usize], section: usize| {
         let all: String =
             elements.iter().map(|e| reference("ReferenceElement", "Element1D", *e)).collect();
@@ -39,7 +40,10 @@ fn model() -> String {
         )
     };
     [
-        list("Point3D", &[[0, 0, 0], [2, 0, 0], [0, 0, -3], [0, 0, 3]].map(|p| point(p.map(f64::from)))),
+        list(
+            "Point3D",
+            &[[0, 0, 0], [2, 0, 0], [0, 0, -3], [0, 0, 3]].map(|p| point(p.map(f64::from))),
+        ),
         list("LineSegment3D", &[line(1, 2), line(2, 1), line(3, 1), line(1, 4)]),
         list("Element1D", &[element(1), element(2), element(3), element(4)]),
         list("Member1D", &[member("B1", &[1], 1), member("B2", &[2], 1), member("C", &[3, 4], 1)]),
@@ -57,8 +61,7 @@ fn model() -> String {
 /// The result of a section: position, kind and number of the loading, forces in N and N m.
 fn section(position: f64, loading: (&str, usize), forces: [f64; 6]) -> String {
     let names = ["N", "Qy", "Qz", "Mx", "My", "Mz"];
-    let forces: String =
-        names.iter().zip(forces).map(|(n, x)| format!("<{n}>{x}</{n}>")).collect();
+    let forces: String = names.iter().zip(forces).map(|(n, x)| format!("<{n}>{x}</{n}>")).collect();
     let (kind, id) = loading;
     format!(
         "<ResultBase i:type=\"ResultOnSection\"><AbsoluteRelative>Relative</AbsoluteRelative>\
@@ -112,9 +115,7 @@ fn rows(results: &[String]) -> Vec<ForceRow> {
 }
 
 fn at(rows: &[ForceRow], member: &str, station: f64) -> [f64; 6] {
-    let is = |r: &&ForceRow| {
-        r.text(Quantity::Member) == Some(member) && r.station == Some(station)
-    };
+    let is = |r: &&ForceRow| r.text(Quantity::Member) == Some(member) && r.station == Some(station);
     let found: Vec<&ForceRow> = rows.iter().filter(is).collect();
     assert_eq!(found.len(), 1, "{member} at {station}: {rows:?}");
     found[0].actions.map(|a| a + 0.0)
@@ -209,48 +210,118 @@ fn what_is_wrong_is_told_with_its_place() {
     let angle = "<TypeName>CrossSection</TypeName><Id>2</Id>";
     let of_file = [
         ("<OpenModel>", "<!DOCTYPE a><OpenModel>", "no complete XML", "", "again"),
-        ("<?xml version=\"1.0\" encoding=\"utf-16\"?>", "<!DOCTYPE a [<!ENTITY b \"c\">]>",
-            "has a DTD", "", "delete it"),
+        (
+            "<?xml version=\"1.0\" encoding=\"utf-16\"?>",
+            "<!DOCTYPE a [<!ENTITY b \"c\">]>",
+            "has a DTD",
+            "",
+            "delete it",
+        ),
         ("</OpenModelContainer>", "", "no complete XML", "", "cut or edited"),
         ("OpenModelContainer", "OpenModel", "a model without results", "OpenModel", "container"),
         ("OpenModelContainer", "OpenModelResult", "without their model", "OpenModelResult", "cont"),
         ("OpenModelContainer", "Project", "`Project`, not an IOM", "Project", "export an"),
         ("OpenModelResult", "Other", "has no `OpenModelResult`", "OpenModelContainer", "one con"),
-        ("InternalForces</ResultType>", "Deformation</ResultType>", "no internal forces",
-            "OpenModelResult", "calculate"),
+        (
+            "InternalForces</ResultType>",
+            "Deformation</ResultType>",
+            "no internal forces",
+            "OpenModelResult",
+            "calculate",
+        ),
         ("<Qz>10000</Qz>", "", "has no `Qz`", "SectionResultBase", "cut or edited"),
         ("<Qz>10000</Qz>", "<Qz>10,5</Qz>", "is `10,5`, which is no number", "Qz", "point"),
         ("<My>-20000</My>", "<My>NaN</My>", "which is no number", "My", "point"),
-        ("LoadCase</LoadingType>", "ResultClass</LoadingType>", "class 1 is an envelope",
-            "ResultOnMember[1]", "single"),
-        ("LoadCase</LoadingType><Id>1", "LoadCase</LoadingType><Id>7", "no `LoadCase` with the Id 7",
-            "Loading", "same project"),
-        ("LoadCase</LoadingType>", "Combination</LoadingType>", "`CO1` (`Envelope`) is an envelope",
-            "Loading", "linear"),
-        ("<Coefficient>1<", "<Coefficient>1.35<", "has the factor 1.35", "ResultOfLoadingItem",
-            "without factors"),
-        ("Member1D</MemberType><Id>1", "Member1D</MemberType><Id>8", "Member1D 8, which the model",
-            "Member", "same project"),
-        ("Relative</AbsoluteRelative>", "Both</AbsoluteRelative>", "is `Both`", "ResultBase",
-            "`Absolute` or"),
-        ("<Point3D>\n<Id>2</Id>", "<Point3D>\n<Id>1</Id>", "two `Point3D` with the Id 1",
-            "OpenModel/Point3D/Point3D[2]", "either"),
+        (
+            "LoadCase</LoadingType>",
+            "ResultClass</LoadingType>",
+            "class 1 is an envelope",
+            "ResultOnMember[1]",
+            "single",
+        ),
+        (
+            "LoadCase</LoadingType><Id>1",
+            "LoadCase</LoadingType><Id>7",
+            "no `LoadCase` with the Id 7",
+            "Loading",
+            "same project",
+        ),
+        (
+            "LoadCase</LoadingType>",
+            "Combination</LoadingType>",
+            "`CO1` (`Envelope`) is an envelope",
+            "Loading",
+            "linear",
+        ),
+        (
+            "<Coefficient>1<",
+            "<Coefficient>1.35<",
+            "has the factor 1.35",
+            "ResultOfLoadingItem",
+            "without factors",
+        ),
+        (
+            "Member1D</MemberType><Id>1",
+            "Member1D</MemberType><Id>8",
+            "Member1D 8, which the model",
+            "Member",
+            "same project",
+        ),
+        (
+            "Relative</AbsoluteRelative>",
+            "Both</AbsoluteRelative>",
+            "is `Both`",
+            "ResultBase",
+            "`Absolute` or",
+        ),
+        (
+            "<Point3D>\n<Id>2</Id>",
+            "<Point3D>\n<Id>1</Id>",
+            "two `Point3D` with the Id 1",
+            "OpenModel/Point3D/Point3D[2]",
+            "either",
+        ),
     ];
     let of_member: [(&str, &str, &str, &str, &str); 11] = [
         ("Principle<", "Global<", "in global axes", "ResultOnMember[1]", "`Local`"),
         (beam, angle, "`angle` (RolledAngle) is no I or H", "ResultOnMember[1]", "`Local`"),
         ("</EndPoint>", &down, "z does not point up", "ResultOnMember[1]", "turn the"),
         ("</EndPoint>", &against, "x is not along the member", "LocalCoordinateSystem", "vectors"),
-        ("<Name>E1</Name>", "<Name>E1</Name><RotationRx>1.5</RotationRx>", "turned by 1.500 rad",
-            "ResultOnMember[1]", "upright webs"),
-        ("<Name>beam</Name>", "<CrossSectionRotation>0.5</CrossSectionRotation>",
-            "turned by 0.500 rad", "ResultOnMember[1]", "upright webs"),
-        ("<TypeName>LineSegment3D</TypeName><Id>1</Id></Segment>", arc,
-            "`ArcSegment3D` stands where", "Segment", "straight lines"),
-        ("<Position>0</Position>", "<Position>3</Position>", "at 3 of its length",
-            "SectionResultBase", "together"),
-        ("<Name>B2</Name>", "<Name>B1</Name>", "several members of the model are called `B1`",
-            "Member1D", "name of its own"),
+        (
+            "<Name>E1</Name>",
+            "<Name>E1</Name><RotationRx>1.5</RotationRx>",
+            "turned by 1.500 rad",
+            "ResultOnMember[1]",
+            "upright webs",
+        ),
+        (
+            "<Name>beam</Name>",
+            "<CrossSectionRotation>0.5</CrossSectionRotation>",
+            "turned by 0.500 rad",
+            "ResultOnMember[1]",
+            "upright webs",
+        ),
+        (
+            "<TypeName>LineSegment3D</TypeName><Id>1</Id></Segment>",
+            arc,
+            "`ArcSegment3D` stands where",
+            "Segment",
+            "straight lines",
+        ),
+        (
+            "<Position>0</Position>",
+            "<Position>3</Position>",
+            "at 3 of its length",
+            "SectionResultBase",
+            "together",
+        ),
+        (
+            "<Name>B2</Name>",
+            "<Name>B1</Name>",
+            "several members of the model are called `B1`",
+            "Member1D",
+            "name of its own",
+        ),
         ("<X>2</X>", "<X>0</X>", "an element without length", "LineSegment3D", "different points"),
         ("<X>2</X>", "<X>two</X>", "which is no number", "X", "point"),
     ];
