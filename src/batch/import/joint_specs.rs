@@ -2,10 +2,11 @@
 //! can have is found before the folder is written.
 
 use super::end_loads::EndLoads;
+use super::joint_row::JointRow;
 use super::joints_table::JointsTable;
 use crate::batch::expansion::{Expansion, typed};
 use crate::batch::screen::Kit;
-use bracket_base::diag::{Diagnostic, Diagnostics, Place};
+use bracket_base::diag::{Diagnostic, Diagnostics};
 use bracket_joint::catalog::Catalog;
 use bracket_joint::spec::connection::ConnectionSpec;
 use bracket_joint::spec::load_table::Loads;
@@ -34,18 +35,30 @@ pub fn build(
         specs.iter().map(|s| (s.template.as_str(), s)).collect();
     let templates = templates.into_values().cloned().collect();
     let kit = Kit::new(folder, &expansion.file, catalog, templates);
-    let mut faults = Vec::new();
+    // a fault of the base spec is in many joints: it is told once, with the first of them
+    let mut found: Vec<(&JointRow, Diagnostic, usize)> = Vec::new();
     for (row, spec) in table.rows.iter().zip(&specs) {
         let Err(d) = kit.joint(spec.clone()) else { continue };
-        let at = d.place.path.clone().unwrap_or_default();
-        let message = format!("joint `{}`: {}", row.name, d.message);
-        // the line of the joint, with the path of the spec that is at fault
-        let place: Place = row.place(&table.file, if at.is_empty() { "joint" } else { &at });
-        faults.push(Diagnostic { message, place, ..*d });
-        if faults.len() == SHOWN {
-            break;
+        let same = |f: &(&JointRow, Diagnostic, usize)| {
+            f.1.message == d.message && f.1.place.path == d.place.path
+        };
+        match found.iter().position(same) {
+            Some(i) => found[i].2 += 1,
+            None if found.len() < SHOWN => found.push((row, *d, 0)),
+            None => {}
         }
     }
+    let fault = |(row, d, more): (&JointRow, Diagnostic, usize)| {
+        let others = match more {
+            0 => String::new(),
+            n => format!(" (and {n} more)"),
+        };
+        let message = format!("joint `{}`{others}: {}", row.name, d.message);
+        // the line of the joint, with the path of the spec that is at fault
+        let place = row.place(&table.file, d.place.path.as_deref().unwrap_or("joint"));
+        Diagnostic { message, place, ..d }
+    };
+    let faults = found.into_iter().map(fault).collect();
     Diagnostics::refuse(faults)?;
     Ok(specs)
 }

@@ -132,16 +132,24 @@ fn bench(text: &str) -> Bench {
 fn a_spec_with_a_container() {
     let loads = "loads: {table: frame.xml, mapping: iom, member: B1, station: start, end: \
                  beam_right, at: node}\n";
-    let bench = bench(&container("IPE270", "HEB180"))
-        .file("joint.yaml", format!("{BASE}{loads}"))
-        .file("other.yaml", format!("{BASE}{}", loads.replace("mapping: iom, ", "")));
+    let text = container("IPE270", "HEB180");
+    let bench = bench(&text).file("joint.yaml", format!("{BASE}{loads}"));
     let (out, _) = expect(&bench, &["check", "joint.yaml", "--format", "json"], 0);
     assert!(out.contains("\"ULS2\""), "{out}");
-    let cure = "`mapping: iom`";
-    let (code, place, message) = ("loads/table", "frame.xml", "this is an XML file");
-    let want = Want { exit: 2, code, place, message, cure };
-    let run = refusal(&bench, &mut bench.command(&["check", "other.yaml"]), &want);
-    none_wrong(vec![("other.yaml".into(), run)]);
+    let mut results = Vec::new();
+    for (new, code, message, cure) in [
+        ("", "loads/table", "this is an XML file", "`mapping: iom`"),
+        ("mapping: rfem, ", "loads/table", "this is an XML file", "`mapping: iom`"),
+        ("mapping: iom, sheet: A, ", "loads/iom", "has no sheets", "leave it out"),
+        ("mapping: iom, columns: {N: Fx}, ", "loads/iom", "has no headers", "leave it out"),
+    ] {
+        let loads = loads.replace("mapping: iom, ", new);
+        let bench = self::bench(&text).file("joint.yaml", format!("{BASE}{loads}"));
+        let want = Want { exit: 2, code, place: "frame.xml", message, cure };
+        let run = refusal(&bench, &mut bench.command(&["check", "joint.yaml"]), &want);
+        results.push((new.to_owned(), run));
+    }
+    none_wrong(results);
 }
 
 #[test]
