@@ -63,9 +63,9 @@ struct Chosen {
 /// The columns behind the varied paths.
 static COLUMNS: [Column; 26] = [
     text("load_case", |f| json!(f.load.map(|l| &l.case))),
-    number("N", "kN", |f| json!(f.action(0).map(|n| 1e-3 * n))),
-    number("V", "kN", |f| json!(f.action(1).map(|v| 1e-3 * v))),
-    number("M", "kNm", |f| json!(f.action(2).map(|m| 1e-6 * m))),
+    number("N", "kN", |f| json!(f.action(0).map(|n| shown(n / 1e3)))),
+    number("V", "kN", |f| json!(f.action(1).map(|v| shown(v / 1e3)))),
+    number("M", "kNm", |f| json!(f.action(2).map(|m| shown(m / 1e6)))),
     text("outcome", |f| json!(f.record.map_or("open", |r| r.outcome.word()))),
     text("verdict", |f| json!(f.judged().map(|l| l.verdict))),
     text("route", |f| json!(f.judged().and_then(|l| l.route))),
@@ -75,10 +75,10 @@ static COLUMNS: [Column; 26] = [
     number("lambda_up", "", |f| json!(f.load.and_then(|l| l.upper))),
     number("utilisation_low", "", |f| json!(f.utilisation().map(|u| u[0]))),
     number("utilisation_up", "", |f| json!(f.utilisation().map(|u| u[1]))),
-    number("M_j_Rd", "kNm", |f| json!(f.load.and_then(|l| l.moment_resistance).map(|m| 1e-6 * m))),
+    number("M_j_Rd", "kNm", |f| json!(f.load.and_then(|l| l.moment_resistance).map(|m| m / 1e6))),
     number("component_factor", "", |f| json!(f.load.and_then(|l| l.component_factor))),
     number("S_j_ini", "kNm_per_rad", |f| {
-        json!(f.load.and_then(|l| l.component_stiffness).map(|s| 1e-6 * s))
+        json!(f.load.and_then(|l| l.component_stiffness).map(|s| s / 1e6))
     }),
     text("governing", |f| json!(f.governing().map(|g| &g.what))),
     text("clause", |f| json!(f.governing().map(|g| &g.clause))),
@@ -106,6 +106,11 @@ const fn number(name: &'static str, unit: &'static str, value: fn(&Found<'_>) ->
 
 const fn text(name: &'static str, value: fn(&Found<'_>) -> Value) -> Column {
     Column { name, unit: "", kind: Kind::Text, value }
+}
+
+/// An action at another point without the noise of its last digits: it has 12.
+fn shown(action: f64) -> f64 {
+    format!("{action:.11e}").parse().unwrap_or(action)
 }
 
 /// All columns but the case and the paths that a sweep varies or sets.

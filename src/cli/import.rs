@@ -23,13 +23,13 @@ N_Ed, M_Ed, V: largest forces of the column beside the joint in the ultimate lim
 has N_Ed and M_Ed.
 residual: what the members leave at the node in the worst load case, as a vertical force (up) and as
 a moment in the plane. It is the load at the node itself, which is in no table of members. The z
-axis of the column points to the side that leaves less.
+axis of the column points to the side that leaves less. residuals.csv has all load cases.
 ";
 
 /// From the forces of a frame program to a sweep of all its joints.
 #[derive(Debug, clap::Args)]
 pub struct ImportArgs {
-    /// Table of the forces of members: CSV or a workbook.
+    /// Forces of members: CSV, a workbook, or a container of IDEA StatiCa (IOM, XML).
     #[arg(value_name = "FORCES")]
     pub forces: PathBuf,
     /// Table of the joints, one a row: `joint`, `end`, `member`, `station`, and paths of the spec.
@@ -91,6 +91,7 @@ pub fn run(args: &ImportArgs, common: &Common) -> CommandResult {
     let imported = import(&args.request(), |folder| {
         interrupt.begin(&log, WHEN_INTERRUPTED, folder.give_up());
     })?;
+    imported.doubts.iter().for_each(|d| log.line(format!("warning: {d}")));
     let next = args.next(&imported);
     match common.format {
         Format::Json => out::json(&data(&imported, &next))?,
@@ -123,7 +124,7 @@ fn data(imported: &Imported, next: &str) -> Value {
     };
     let joints: Vec<Value> = imported.joints.iter().map(joint).collect();
     json!({"joints": joints, "sweep": imported.sweep, "next": next,
-        "profiles_of_model": imported.of_model})
+        "warnings": imported.doubts, "profiles_of_model": imported.of_model})
 }
 
 fn page(imported: &Imported, next: &str) -> String {
@@ -164,7 +165,7 @@ fn page(imported: &Imported, next: &str) -> String {
     }
     if imported.of_model > 0 {
         let n = imported.of_model;
-        text += &format!("\nprofiles and steels from the workbook: {}\n", joints(n));
+        text += &format!("\nprofiles and steels from the model: {}\n", joints(n));
     }
     let all = joints(imported.joints.len());
     format!(

@@ -1,5 +1,5 @@
 //! What every room of Bracket may use: diagnostics, text files, quantities with units, the only
-//! reader of YAML, and small mathematics.
+//! readers of YAML and XML, and small mathematics.
 //!
 //! Units everywhere: mm, N, MPa, N mm, rad. Symmetric tensors in Mandel form
 //! `[xx, yy, zz, √2 yz, √2 xz, √2 xy]`.
@@ -12,4 +12,5 @@ pub mod math;
 pub mod text_file;
 pub mod units;
 pub mod words;
+pub mod xml;
 pub mod yaml;

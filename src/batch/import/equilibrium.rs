@@ -31,58 +31,117 @@ pub struct Residuals {
 /// Relative size of a remainder that is rounding.
 const ROUNDING: f64 = 1e-9;
 
-impl Residual {
-    fn worst(parts: impl Iterator<Item = (Vec<f64>, String)>) -> Option<Self> {
-        let of = |(parts, case): (Vec<f64>, String)| {
-            let scale = parts.iter().fold(0.0, |m: f64, p| m.max(p.abs()));
-            let sum: f64 = parts.iter().sum();
-            let value = if sum.abs() <= ROUNDING * scale { 0.0 } else { sum };
-            Self { value, scale, case }
-        };
-        // the first of equal ones
-        parts.map(of).fold(None, |worst: Option<Self>, r| match worst {
-            Some(w) if w.value.abs() >= r.value.abs() => Some(w),
-            _ => Some(r),
-        })
+/// What the members at a node leave in one load case.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OfCase {
+    /// The load case.
+    pub case: String,
+    /// Vertical force, as in [`Residuals`] \[N\].
+    pub vertical: Sum,
+    /// Moment about the node \[N mm\]; its sign turns with the z axis of the column.
+    pub moment: Option<Sum>,
+}
+
+/// A remainder and the largest part of its sum.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sum {
+    /// The remainder \[N, N mm\].
+    pub value: f64,
+    /// Largest part of the sum \[N, N mm\].
+    pub scale: f64,
+}
+
+impl Sum {
+    fn of(parts: impl Iterator<Item = f64> + Clone) -> Self {
+        let scale = parts.clone().fold(0.0, |m: f64, p| m.max(p.abs()));
+        let sum: f64 = parts.sum();
+        let value = if sum.abs() <= ROUNDING * scale { 0.0 } else { sum };
+        Self { value, scale }
     }
 }
 
-/// The remainders at a node; `None` without a member of the column. `ends`: for each member end
-/// the point at which its actions act, and +1 or −1 for the side of the column it is on.
+/// The worst of the remainders, the first of equal ones.
+fn worst<'a>(sums: impl Iterator<Item = (Sum, &'a str)>) -> Option<Residual> {
+    let of = |(sum, case): (Sum, &str)| Residual {
+        value: sum.value,
+        scale: sum.scale,
+        case: case.to_owned(),
+    };
+    sums.fold(None, |worst: Option<(Sum, &str)>, r| match worst {
+        Some(w) if w.0.value.abs() >= r.0.value.abs() => Some(w),
+        _ => Some(r),
+    })
+    .map(of)
+}
+
+impl Residuals {
+    /// The worst of all load cases.
+    pub fn worst(cases: &[OfCase]) -> Option<Self> {
+        let vertical = worst(cases.iter().map(|c| (c.vertical, c.case.as_str())))?;
+        let moments: Option<Vec<_>> =
+            cases.iter().map(|c| Some((c.moment?, c.case.as_str()))).collect();
+        let moment = moments.and_then(|m| worst(m.into_iter()));
+        let moment = moment.map(|m| Residual { value: m.value.abs(), ..m });
+        Some(Self { vertical, moment })
+    }
+}
+
+/// The remainders at a node in each load case; `None` without a member of the column. `ends`: for
+/// each member end the point at which its actions act, and +1 or −1 for the side of the column it
+/// is on.
 ///
 /// The tables do not say to which side the z axis of the column points. It points to one side in
 /// all load cases, to the one that leaves less.
-pub fn residuals(loads: &EndLoads, ends: &[(ActionPoint, Option<f64>)]) -> Option<Residuals> {
+pub fn of_cases(loads: &EndLoads, ends: &[(ActionPoint, Option<f64>)]) -> Option<Vec<OfCase>> {
     if loads.below.is_none() && loads.above.is_none() {
         return None;
     }
-    let cases = || (0..loads.cases()).map(|i| (i, loads.ends[0][i].name.clone()));
     let of_column = |i: usize, action: Action| {
         let of = |l: &Option<Vec<_>>| l.as_ref().map_or(0.0, |l| value(&l[i], action));
         [of(&loads.below), of(&loads.above)]
     };
-    let vertical = cases().map(|(i, case)| {
+    let cases = 0..loads.cases();
+    let vertical = |i: usize| {
         let [below, above] = of_column(i, Action::N);
         let beams = loads.ends.iter().map(|e| value(&e[i], Action::Vz));
-        (beams.chain([above, -below]).collect(), case)
-    });
+        Sum::of(beams.chain([above, -below]))
+    };
     let sides: Option<Vec<f64>> =
         ends.iter().map(|(at, side)| side.filter(|_| *at == ActionPoint::Node)).collect();
-    let moment = sides.and_then(|sides| {
-        let with = |sign: f64| {
-            let parts = cases().map(|(i, case)| {
+    let moments = sides.map(|sides| {
+        let with = |sign: f64| -> Vec<Sum> {
+            let of = |i: usize| {
                 let [below, above] = of_column(i, Action::My);
                 let beams = loads.ends.iter().zip(&sides);
                 let beams = beams.map(|(e, side)| side * value(&e[i], Action::My));
-                (beams.chain([sign * below, -sign * above]).collect(), case)
-            });
-            Residual::worst(parts)
+                Sum::of(beams.chain([sign * below, -sign * above]))
+            };
+            cases.clone().map(of).collect()
         };
-        let (one, other) = (with(1.0)?, with(-1.0)?);
-        let less = if other.value.abs() < one.value.abs() { other } else { one };
-        Some(Residual { value: less.value.abs(), ..less })
+        let most = |s: &[Sum]| s.iter().fold(0.0, |m: f64, s| m.max(s.value.abs()));
+        let (one, other) = (with(1.0), with(-1.0));
+        if most(&other) < most(&one) { other } else { one }
     });
-    Some(Residuals { vertical: Residual::worst(vertical)?, moment })
+    let of = |i: usize| OfCase {
+        case: loads.ends[0][i].name.clone(),
+        vertical: vertical(i),
+        moment: moments.as_ref().map(|m| m[i]),
+    };
+    Some(cases.clone().map(of).collect())
+}
+
+/// The largest moment that the beams bring to the node in the ultimate limit state \[N mm\]; `None`
+/// where one does not act at the node, or its side is not known.
+pub fn brought_by_beams(loads: &EndLoads, ends: &[(ActionPoint, Option<f64>)]) -> Option<Residual> {
+    let sides: Option<Vec<f64>> =
+        ends.iter().map(|(at, side)| side.filter(|_| *at == ActionPoint::Node)).collect();
+    let sides = sides?;
+    let ultimate = (0..loads.cases()).filter(|i| loads.ends[0][*i].state.is_ultimate());
+    worst(ultimate.map(|i| {
+        let beams = loads.ends.iter().zip(&sides);
+        let beams = beams.map(|(e, side)| side * value(&e[i], Action::My));
+        (Sum::of(beams), loads.ends[0][i].name.as_str())
+    }))
 }
 
 #[cfg(test)]
@@ -109,6 +168,10 @@ mod tests {
         }
     }
 
+    fn residuals(loads: &EndLoads, ends: &[(ActionPoint, Option<f64>)]) -> Option<Residuals> {
+        Residuals::worst(&of_cases(loads, ends)?)
+    }
+
     const ENDS: [(ActionPoint, Option<f64>); 2] =
         [(ActionPoint::Node, Some(1.0)), (ActionPoint::Node, Some(-1.0))];
 
@@ -129,6 +192,14 @@ mod tests {
         loads.below.as_mut().expect("a column")[1].set(Action::My, 0.0);
         let moment = residuals(&loads, &ENDS).expect("columns").moment.expect("at the node");
         assert_eq!((moment.value, moment.case.as_str()), (1.5e6, "B"));
+    }
+
+    /// The beams bring 15 − 8 kN m in A, and less in B.
+    #[test]
+    fn what_the_beams_bring() {
+        let found = brought_by_beams(&node(0.0, 1.0), &ENDS).expect("known sides");
+        assert_eq!((found.value, found.case.as_str()), (7e6, "A"));
+        assert_eq!(brought_by_beams(&node(0.0, 1.0), &[(ActionPoint::Node, None); 2]), None);
     }
 
     #[test]

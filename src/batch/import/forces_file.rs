@@ -1,7 +1,7 @@
 //! The table of forces, and which of its load cases are taken.
 
 use super::joint_row::{EndAt, MemberAt};
-use bracket_joint::forces::Program;
+use bracket_joint::forces::{Asked, Program};
 use bracket_joint::spec::load_table::{LoadTable, Station};
 use bracket_joint::spec::loads::LimitState;
 use std::path::PathBuf;
@@ -38,6 +38,7 @@ impl ForcesFile {
                 true => Default::default(),
                 false => [(LimitState::Serviceability, self.sls.clone())].into(),
             },
+            asked: Asked::Command,
             ..LoadTable::default()
         }
     }

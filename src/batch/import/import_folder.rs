@@ -3,6 +3,7 @@
 use super::end_loads::EndLoads;
 use super::joint_row::{JointRow, MemberAt};
 use super::joints_table::JointsTable;
+use super::residuals_table;
 use crate::batch::column::NOTE_MARK;
 use crate::batch::worker::absolute;
 use bracket_base::diag::{Diagnostic, Diagnostics};
@@ -109,11 +110,12 @@ fn base(spec: &Value, from: &Path, first: &str) -> Result<String, Diagnostics> {
     yaml::to_string(&spec)
 }
 
-/// Writes the folder and moves it into place; returns the path of the sweep.
+/// Writes the folder and moves it into place; returns the path of the sweep. `residuals`: the table
+/// of what the members at the nodes leave.
 pub fn finish(
     folder: ResultFolder,
     table: &JointsTable,
-    loads: &[EndLoads],
+    (loads, residuals): (&[EndLoads], Option<&str>),
     (spec, from): (&Value, &Path),
 ) -> Result<PathBuf, Diagnostics> {
     let files = files(table);
@@ -127,6 +129,9 @@ pub fn finish(
     folder.write(JOINTS, joints(table, &files)?.as_bytes())?;
     for (file, loads) in files.iter().zip(loads) {
         folder.write(file, written(&loads.listed()).as_bytes())?;
+    }
+    if let Some(residuals) = residuals {
+        folder.write(residuals_table::FILE, residuals.as_bytes())?;
     }
     Ok(folder.finish()?.join(SWEEP))
 }

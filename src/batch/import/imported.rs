@@ -1,22 +1,27 @@
 //! Imports forces and joints into a folder.
 
 use super::column_forces::ColumnForces;
+use super::doubts;
 use super::end_loads::{EndLoads, Reader};
-use super::equilibrium::{Residuals, residuals};
+use super::equilibrium::{OfCase, Residuals, of_cases};
 use super::forces_file::ForcesFile;
 use super::import_folder;
+use super::joint_specs;
 use super::joints_table::JointsTable;
 use super::model_members::ModelMembers;
+use super::residuals_table;
 use super::template_ends::TemplateEnds;
 use crate::batch::expansion::Expansion;
 use crate::batch::load_lists::LoadLists;
 use crate::batch::sweep_file::open_catalog;
 use bracket_base::diag::{Diagnostic, Diagnostics};
 use bracket_base::text_file;
+use bracket_base::xml::is_xml;
 use bracket_base::yaml::{self, Parsed, PlaceIndex};
 use bracket_joint::assembly::template_file;
 use bracket_joint::catalog::Catalog;
-use bracket_joint::forces::{ForceTables, Program, SafModel};
+use bracket_joint::forces::{ForceTables, Program, iom_model, saf_model};
+use bracket_joint::spec::loads::ActionPoint;
 use bracket_report::result::folder::ResultFolder;
 use serde_json::Value;
 use std::collections::BTreeMap;
@@ -58,7 +63,9 @@ pub struct Imported {
     pub joints: Vec<ImportedJoint>,
     /// The sweep.
     pub sweep: PathBuf,
-    /// Joints whose profiles or steels come from the model of the workbook.
+    /// What is doubted without being refused, each in a sentence.
+    pub doubts: Vec<String>,
+    /// Joints whose profiles or steels come from the model beside the forces.
     pub of_model: usize,
 }
 
@@ -82,6 +89,7 @@ pub fn import(
     request: &Request,
     begun: impl FnOnce(&ResultFolder),
 ) -> Result<Imported, Diagnostics> {
+    let request = &with_program(request);
     let Parsed { value: spec, index } = base(&request.base)?;
     let from = request.base.parent().unwrap_or(Path::new("")).to_path_buf();
     let of_spec = spec.get("catalog").and_then(Value::as_str).map(|dir| from.join(dir));
@@ -111,31 +119,61 @@ pub fn import(
         Reader { forces: &request.forces, joints: &request.joints, tables: ForceTables::default() };
     let loads: Vec<EndLoads> =
         table.rows.iter().map(|row| reader.of(row)).collect::<Result<_, _>>()?;
-    let mut joints = Vec::new();
+    let (mut joints, mut sums) = (Vec::new(), Vec::new());
+    let mut points: Vec<Vec<(ActionPoint, Option<f64>)>> = Vec::new();
     for (i, (of_joint, template)) in loads.iter().zip(&templates).enumerate() {
         let row = &table.rows[i];
-        let end = |e: &super::joint_row::EndAt| (e.at, template.side(&e.end));
-        let ends: Vec<_> = row.ends.iter().map(end).collect();
+        let ends: Vec<_> = row.ends.iter().map(|e| (e.at, template.side(&e.end))).collect();
         let role = template.checked_column.as_ref();
         let column = role.and_then(|_| ColumnForces::of(of_joint));
+        let cases: Vec<OfCase> = of_cases(of_joint, &ends).unwrap_or_default();
         joints.push(ImportedJoint {
             name: row.name.clone(),
             cases: of_joint.cases(),
             column,
-            residuals: residuals(of_joint, &ends),
+            residuals: Residuals::worst(&cases),
         });
+        sums.push(cases);
+        points.push(ends);
         if let (Some(forces), Some(role)) = (column, role) {
             for (key, text) in forces.values() {
                 table.fill(i, &format!("members.{role}.{key}"), &text)?;
             }
         }
     }
-    settled(&table)?;
+    let expansion = settled(&table)?;
+    let specs = joint_specs::build(&expansion, &table, &loads, (&from, catalog))?;
+    let mut doubts = doubts::used_twice(&table.rows, &request.joints);
+    doubts.extend(doubts::lever(&loads));
+    for (i, spec) in specs.iter().enumerate() {
+        let row = &table.rows[i];
+        let role = templates[i].checked_column.as_ref();
+        let m_ed = role.and_then(|role| spec.members.get(role)?.m_ed);
+        // without members of the column nobody can say whether it goes on
+        let through = row.below.is_none() || row.above.is_some();
+        doubts.extend(m_ed.and_then(|m| {
+            let at = (row, request.joints.as_path());
+            doubts::column_moment(at, &loads[i], &points[i], (m.0, through))
+        }));
+    }
     whole_paths(&mut table, &from);
+    let names = table.rows.iter().map(|r| r.name.as_str());
+    let residuals = residuals_table::text(names.zip(sums.iter().map(Vec::as_slice)));
     let folder = import_folder::begin(&request.out)?;
     begun(&folder);
-    let sweep = import_folder::finish(folder, &table, &loads, (&spec, &from))?;
-    Ok(Imported { joints, sweep, of_model })
+    let sweep =
+        import_folder::finish(folder, &table, (&loads, residuals.as_deref()), (&spec, &from))?;
+    Ok(Imported { joints, sweep, doubts, of_model })
+}
+
+/// The request with the program that the file of forces itself names: XML is a container of IOM.
+fn with_program(request: &Request) -> Request {
+    let mut request = request.clone();
+    let forces = &mut request.forces;
+    if forces.mapping.is_none() && is_xml(&forces.file) {
+        forces.mapping = Some(Program::Iom);
+    }
+    request
 }
 
 /// The spec without its loads, which the import replaces.
@@ -194,19 +232,21 @@ fn templates(
     Ok(out)
 }
 
-/// Fills in profiles and steels from the model of a SAF workbook; returns the number of joints
-/// that have some of it.
+/// Fills in profiles and steels from the model of a SAF workbook or an IOM container; returns the
+/// number of joints that have some of it.
 fn of_model(
     request: &Request,
     catalog: &Catalog,
     table: &mut JointsTable,
     templates: &[TemplateEnds],
 ) -> Result<usize, Diagnostics> {
-    if request.forces.mapping != Some(Program::Saf) {
-        return Ok(0);
-    }
     let file = &request.forces.file;
-    let Some(model) = SafModel::read(file)? else { return Ok(0) };
+    let model = match request.forces.mapping {
+        Some(Program::Saf) => saf_model(file)?,
+        Some(Program::Iom) => Some(iom_model(file)?),
+        _ => None,
+    };
+    let Some(model) = model else { return Ok(0) };
     let members = ModelMembers { model: &model, file, catalog };
     let mut filled = 0;
     for (joint, template) in templates.iter().enumerate() {

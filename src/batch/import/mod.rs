@@ -2,6 +2,7 @@
 //! cases.
 
 pub mod column_forces;
+pub mod doubts;
 pub mod end_loads;
 pub mod equilibrium;
 pub mod forces_file;
@@ -9,6 +10,8 @@ pub mod import_folder;
 pub mod imported;
 pub mod joint_columns;
 pub mod joint_row;
+pub mod joint_specs;
 pub mod joints_table;
 pub mod model_members;
+pub mod residuals_table;
 pub mod template_ends;

@@ -1,18 +1,18 @@
-//! Profiles and steels of a joint from the model of a SAF workbook.
+//! Profiles and steels of a joint from the model of a frame program.
 
 use super::joint_row::{JointRow, MemberAt};
 use super::joints_table::JointsTable;
 use super::template_ends::TemplateEnds;
-use bracket_base::diag::{Diagnostic, Diagnostics, Place};
+use bracket_base::diag::{Diagnostic, Diagnostics};
 use bracket_joint::catalog::{Catalog, CatalogError};
-use bracket_joint::forces::{SafMember, SafModel};
+use bracket_joint::forces::{FrameMember, FrameModel};
 use std::path::Path;
 
 /// The model and the catalogue whose names it must have.
 pub struct ModelMembers<'a> {
     /// The model.
-    pub model: &'a SafModel,
-    /// Its workbook, for messages.
+    pub model: &'a FrameModel,
+    /// Its file, for messages.
     pub file: &'a Path,
     /// The catalogue.
     pub catalog: &'a Catalog,
@@ -33,7 +33,7 @@ impl What {
         }
     }
 
-    fn of(self, member: &SafMember) -> &str {
+    fn of(self, member: &FrameMember) -> &str {
         match self {
             Self::Profile => &member.profile,
             Self::Steel => &member.steel,
@@ -105,7 +105,7 @@ impl ModelMembers<'_> {
         row: &JointRow,
         joints: &Path,
         at: &MemberAt,
-    ) -> Result<&SafMember, Diagnostics> {
+    ) -> Result<&FrameMember, Diagnostics> {
         self.model.member(&at.member).ok_or_else(|| {
             let message = format!(
                 "joint `{}`: the model of `{}` has no member `{}`",
@@ -147,7 +147,7 @@ impl ModelMembers<'_> {
                  `--catalog`"
             );
             let d = Diagnostic::input("import/model", message).help(help);
-            Diagnostic { place: self.place(member), ..d }.into()
+            Diagnostic { place: member.place.clone(), ..d }.into()
         })
     }
 
@@ -172,16 +172,9 @@ impl ModelMembers<'_> {
                 );
                 let help = "joints have members with I and H sections";
                 let d = Diagnostic::input("import/model", message).help(help);
-                return Err(Diagnostic { place: self.place(member), ..d }.into());
+                return Err(Diagnostic { place: member.place.clone(), ..d }.into());
             }
         }
         Ok(())
-    }
-
-    /// The row of a member in the workbook.
-    fn place(&self, member: &SafMember) -> Place {
-        let path = Some("StructuralCurveMember".to_owned());
-        let (file, line) = (Some(self.file.into()), Some(member.line));
-        Place { file, line, column: None, path }
     }
 }

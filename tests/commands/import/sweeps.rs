@@ -1,5 +1,6 @@
 //! The sweep of an import, and sweeps whose rows name tables of load cases.
 
+use super::container::{self, container, utf16};
 use super::frame::{BASE, CASES, JOINTS, SAP2000_ARGS, SECTIONS, saf, sap2000};
 use crate::bench::{Bench, expect};
 use serde_json::Value;
@@ -113,10 +114,30 @@ fn a_workbook_of_saf() {
     let args = ["import", "frame.xlsx", "--joints", "joints.csv", "--base", "base.yaml"];
     let more = ["--mapping", "saf", "--sls", "SLS1", "-o", "out"];
     let (out, _) = expect(&bench, &[&args[..], &more].concat(), 0);
-    assert!(out.contains("profiles and steels from the workbook: 2 joints"), "{out}");
+    assert!(out.contains("profiles and steels from the model: 2 joints"), "{out}");
     let joints = bench.read("out/joints.csv");
     assert!(joints.contains("IPE270,S235,HEB180,S235,-485.000 kN,3.000 kN m"), "{joints}");
     same_verdicts(&bench);
+}
+
+/// The program, profiles, steel and limit states come from the container, in UTF-16 as well.
+#[test]
+fn a_container_of_iom() {
+    let base =
+        BASE.replace("IPE270", "IPE200").replace("HEB180, steel: S235", "HEA300, steel: S355");
+    let text = container("IPE 270", "HE180B");
+    for bytes in [text.as_bytes(), &utf16(&text)] {
+        let bench = hand_written(Bench::new())
+            .file("frame.xml", bytes)
+            .file("joints.csv", JOINTS)
+            .file("base.yaml", &base);
+        let (out, _) = expect(&bench, &container::ARGS, 0);
+        assert!(out.contains("profiles and steels from the model: 2 joints"), "{out}");
+        let joints = bench.read("out/joints.csv");
+        assert!(joints.contains("IPE270,S235,HEB180,S235,-485.000 kN,3.000 kN m"), "{joints}");
+        assert!(bench.read("out/loads/A.csv").contains("SLS1,SLS,beam_right,node,0,0,-42000,"));
+        same_verdicts(&bench);
+    }
 }
 
 /// What the table of joints gives wins over the workbook and over the forces of the column.

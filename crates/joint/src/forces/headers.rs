@@ -1,5 +1,6 @@
 //! Finds the columns of a table of forces by their headers.
 
+use super::asked::Asked;
 use super::program::{Heading, Program, Quantity};
 use bracket_base::diag::did_you_mean;
 use bracket_base::grid::Row;
@@ -94,6 +95,7 @@ impl Headers {
         rows: &[Row],
         program: Option<Program>,
         own: &BTreeMap<Quantity, String>,
+        asked: Asked,
     ) -> Result<Self, HeaderFault> {
         let score = |row: &Row| {
             let named = |q: &Quantity| !matching(row, *q, program, own).is_empty();
@@ -103,7 +105,7 @@ impl Headers {
         };
         let best = (0..rows.len().min(SEARCHED)).max_by_key(|i| (score(&rows[*i]), SEARCHED - i));
         let Some(at) = best.filter(|i| score(&rows[*i]) > 0) else {
-            return Err(no_header(rows, program, own));
+            return Err(no_header(rows, program, own, asked));
         };
         let row = &with_titles(rows, at, program);
         let by_header =
@@ -113,14 +115,19 @@ impl Headers {
             return Err(HeaderFault {
                 line: row.line,
                 message: format!(
-                    "`{header}` is a header of `mapping: {}`, and actions with the same names have \
-                     other signs there",
-                    other.word()
+                    "`{header}` is a header of {}, and actions with the same names have other \
+                     signs there",
+                    asked.mapping(Some(other))
                 ),
-                help:
-                    "name the program with `mapping`; or, for a table with the signs of Bracket, \
-                       its headers with `columns`"
+                help: match asked {
+                    Asked::Spec => "name the program with `mapping`; or, for a table with the \
+                                    signs of Bracket, its headers with `columns`"
                         .into(),
+                    Asked::Command => format!(
+                        "name the program with `--mapping`; or, for a table with the signs of \
+                         Bracket, rename the column `{header}`"
+                    ),
+                },
             });
         }
         for (quantity, header) in own {
@@ -140,9 +147,9 @@ impl Headers {
         let units = rows.get(at + 1).filter(|below| holds_units(row, below, program, own));
         let mut columns = Vec::new();
         for quantity in Quantity::ALL {
-            columns.extend(of_quantity(row, units, quantity, program, own)?);
+            columns.extend(of_quantity(row, units, quantity, (program, asked), own)?);
         }
-        all_read(row, units, &columns)?;
+        all_read(row, units, &columns, asked)?;
         let first = at + 1 + usize::from(units.is_some());
         Ok(Self { first, columns, texts: row.cells.clone() })
     }
@@ -228,16 +235,24 @@ fn matching<'a>(
     found
 }
 
-/// Whether the row below a header has the units of all actions that it names.
+/// Whether the row below a header has units: one of an action at least, and no number. One that
+/// cannot be read is a fault of its own column then.
 fn holds_units(
     row: &Row,
     below: &Row,
     program: Option<Program>,
     own: &BTreeMap<Quantity, String>,
 ) -> bool {
-    let unit_of =
-        |q: Quantity, m: &Match| below.cells.get(m.0).is_some_and(|c| factor(bare(c), q).is_some());
-    Quantity::ACTIONS.iter().all(|q| matching(row, *q, program, own).iter().all(|m| unit_of(*q, m)))
+    let of = |q: &'static Quantity| matching(row, *q, program, own).into_iter().map(|m| m.0);
+    let cells: Vec<&str> = Quantity::ACTIONS
+        .iter()
+        .flat_map(of)
+        .filter_map(|i| below.cells.get(i).map(|c| bare(c)))
+        .collect();
+    let loads = |u: &&str| factor(u, Quantity::N).or(factor(u, Quantity::My)).is_some();
+    let begins_as_number =
+        |c: &&str| c.starts_with(|c: char| c.is_ascii_digit() || "+-−".contains(c));
+    cells.iter().any(loads) && !cells.iter().any(begins_as_number)
 }
 
 /// The columns of a quantity with their factors. An action has one column; of texts the first cell
@@ -246,7 +261,7 @@ fn of_quantity(
     row: &Row,
     units: Option<&Row>,
     quantity: Quantity,
-    program: Option<Program>,
+    (program, asked): (Option<Program>, Asked),
     own: &BTreeMap<Quantity, String>,
 ) -> Result<Vec<Column>, HeaderFault> {
     let found = matching(row, quantity, program, own);
@@ -268,11 +283,16 @@ fn of_quantity(
         [a, b, ..] => {
             let message =
                 format!("both `{}` and `{}` may be {}", header(a), header(b), quantity.word());
-            let help = format!("name one: `columns: {{{}: \"{}\"}}`", quantity.word(), header(a));
+            let help = match asked {
+                Asked::Spec => {
+                    format!("name one: `columns: {{{}: \"{}\"}}`", quantity.word(), header(a))
+                }
+                Asked::Command => "delete or rename one of them".into(),
+            };
             return Err(fault(message, help));
         }
     };
-    let below = units.and_then(|u| u.cells.get(m.0)).map(|c| bare(c));
+    let below = units.and_then(|u| u.cells.get(m.0)).map(|c| bare(c)).filter(|u| !u.is_empty());
     let told: Vec<&str> = m.3.into_iter().chain([below]).flatten().collect();
     let factors: Vec<Option<f64>> = told.iter().map(|u| factor(u, quantity)).collect();
     if let Some(i) = factors.iter().position(|f| *f != factors[0]) {
@@ -283,13 +303,15 @@ fn of_quantity(
     let Some(unit) = told.first() else {
         let message = format!("the column `{}` has no unit", header(m));
         let usual = quantity.kind().usual();
-        let help = format!(
-            "write it into the header, `{} [{usual}]`, or into the spec: `columns: {{{}: \"{} \
-             [{usual}]\"}}`",
-            split(&header(m)).0,
-            quantity.word(),
-            split(&header(m)).0
-        );
+        let name = split(&header(m)).0;
+        let spec = match asked {
+            Asked::Spec => {
+                let word = quantity.word();
+                format!(", or into the spec: `columns: {{{word}: \"{name} [{usual}]\"}}`")
+            }
+            Asked::Command => String::new(),
+        };
+        let help = format!("write it into the header, `{name} [{usual}]`{spec}");
         return Err(fault(message, help));
     };
     let Some(factor) = factor(unit, quantity) else {
@@ -306,16 +328,25 @@ fn bare(text: &str) -> &str {
 }
 
 /// Refuses a column with a unit of force or moment that is not read: its action would be lost.
-fn all_read(row: &Row, units: Option<&Row>, columns: &[Column]) -> Result<(), HeaderFault> {
+fn all_read(
+    row: &Row,
+    units: Option<&Row>,
+    columns: &[Column],
+    asked: Asked,
+) -> Result<(), HeaderFault> {
     for (i, header) in row.cells.iter().enumerate() {
         let below = units.and_then(|u| u.cells.get(i)).map(|c| bare(c));
         let unit = split(header).1.or(below);
         let loads = |u: &str| factor(u, Quantity::N).or(factor(u, Quantity::My)).is_some();
         if unit.is_some_and(loads) && !columns.iter().any(|c| c.index == i) {
             let message = format!("the column `{header}` has a unit of actions and is not read");
-            let help = "say what it is, `columns: {My: …}`, choose the `mapping` that knows it, or \
-                        delete it";
-            return Err(HeaderFault { line: row.line, message, help: help.into() });
+            let what = match asked {
+                Asked::Spec => "say what it is, `columns: {My: …}`",
+                Asked::Command => "rename it to the action that it is (`My`)",
+            };
+            let mapping = asked.mapping(None);
+            let help = format!("{what}, choose the {mapping} that knows it, or delete it");
+            return Err(HeaderFault { line: row.line, message, help });
         }
     }
     Ok(())
@@ -325,6 +356,7 @@ fn no_header(
     rows: &[Row],
     program: Option<Program>,
     own: &BTreeMap<Quantity, String>,
+    asked: Asked,
 ) -> HeaderFault {
     let Some(first) = rows.first() else {
         let help = "the first row holds the headers, each further row a load case".into();
@@ -345,12 +377,11 @@ fn no_header(
     });
     let told: Vec<&str> = first.cells.iter().map(String::as_str).collect();
     let help = match other {
-        Some(p) => format!("the headers are those of `mapping: {}`", p.word()),
-        None => format!(
-            "name the headers with `columns: {{N: …, My: …}}`, or the program with `mapping`; the \
-             first row has {}",
-            list(&told)
-        ),
+        Some(p) => format!("the headers are those of {}", asked.mapping(Some(p))),
+        None => {
+            let (columns, mapping, told) = (asked.columns(), asked.mapping(None), list(&told));
+            format!("{columns}, or name the program with {mapping}; the first row has {told}")
+        }
     };
     let message = format!("no row has the header of an action ({})", list(&wanted));
     HeaderFault { line: first.line, message, help }

@@ -28,6 +28,8 @@ pub enum Program {
     Staad,
     /// SCIA Engineer, internal forces on members.
     Scia,
+    /// IDEA StatiCa, container of an open model with its results (IOM, XML).
+    Iom,
 }
 
 /// What a column of a table of forces holds.
@@ -268,8 +270,16 @@ const SCIA: &[Heading] = &[
 
 impl Program {
     /// All programs.
-    pub const ALL: [Self; 7] =
-        [Self::Saf, Self::Sap2000, Self::Etabs, Self::Robot, Self::Rfem, Self::Staad, Self::Scia];
+    pub const ALL: [Self; 8] = [
+        Self::Saf,
+        Self::Sap2000,
+        Self::Etabs,
+        Self::Robot,
+        Self::Rfem,
+        Self::Staad,
+        Self::Scia,
+        Self::Iom,
+    ];
 
     /// Its word in a spec.
     pub fn word(self) -> &'static str {
@@ -281,6 +291,7 @@ impl Program {
             Self::Rfem => "rfem",
             Self::Staad => "staad",
             Self::Scia => "scia",
+            Self::Iom => "iom",
         }
     }
 
@@ -305,6 +316,8 @@ impl Program {
             Some(Self::Rfem) => RFEM,
             Some(Self::Staad) => STAAD,
             Some(Self::Scia) => SCIA,
+            // no table: elements of XML
+            Some(Self::Iom) => &[],
         }
     }
 

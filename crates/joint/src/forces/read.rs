@@ -1,9 +1,13 @@
 //! Reads the rows of a table of forces.
 
-use super::headers::{Column, HeaderFault, Headers, list};
+use super::asked::Asked;
+use super::force_row::{ForceRow, Forces};
+use super::headers::{Column, HeaderFault, Headers};
+use super::iom;
 use super::program::{Program, Quantity};
 use bracket_base::diag::{Diagnostic, Diagnostics, Place};
 use bracket_base::grid::{self, Comments, Grid, Row};
+use bracket_base::xml::is_xml;
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -21,31 +25,32 @@ pub struct Source<'a> {
     pub program: Option<Program>,
     /// Headers that the user names.
     pub columns: &'a BTreeMap<Quantity, String>,
+    /// Who asks for it.
+    pub asked: Asked,
 }
 
-/// A row of a table of forces.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ForceRow {
-    /// Line of the file, or row of the sheet.
-    pub line: usize,
-    /// Texts of the row by quantity; none is empty.
-    texts: BTreeMap<Quantity, String>,
-    /// Distance from the start of the member, in the unit of the table.
-    pub station: Option<f64>,
-    /// `N, Vy, Vz, T, My, Mz` with Bracket's signs at the start of the member \[N, N mm\].
-    pub actions: [f64; 6],
-}
-
-impl ForceRow {
-    /// The text of a quantity that is no action.
-    pub fn text(&self, quantity: Quantity) -> Option<&str> {
-        self.texts.get(&quantity).map(String::as_str)
+/// Reads a file of forces.
+pub fn read(source: &Source<'_>) -> Result<Forces, Diagnostics> {
+    let Source { file, sheet, program, columns, asked } = *source;
+    if program == Some(Program::Iom) {
+        let wrong = |message: &str| {
+            let help = "leave it out: members, load cases and units are known by the elements";
+            Err(Diagnostic::input("loads/iom", message).file(file).help(help).into())
+        };
+        return match (sheet, columns.is_empty()) {
+            (Some(_), _) => {
+                wrong(&format!("an IOM file has no sheets, and {} is given", asked.sheet()))
+            }
+            (_, false) => wrong("an IOM file has no headers, and `columns` is given"),
+            _ => iom::forces(file),
+        };
     }
-}
-
-/// The rows of a table, and which actions its columns give.
-pub fn read(source: &Source<'_>) -> Result<(Vec<ForceRow>, [bool; 6]), Diagnostics> {
-    let Source { file, sheet, program, .. } = *source;
+    if is_xml(file) {
+        let message = "this is an XML file, not a table";
+        let iom = asked.mapping(Some(Program::Iom));
+        let help = format!("the container of IDEA StatiCa (IOM) is read with {iom}");
+        return Err(Diagnostic::input("loads/table", message).file(file).help(help).into());
+    }
     let grid = grid::read(file, sheet, Program::sheets(program), Comments::None, |e| {
         Diagnostic::input(
             "loads/table",
@@ -69,12 +74,9 @@ fn fault(
     Diagnostic { place, ..Diagnostic::input("loads/table", message).help(help) }
 }
 
-pub(super) fn of_grid(
-    grid: &Grid,
-    source: &Source<'_>,
-) -> Result<(Vec<ForceRow>, [bool; 6]), Diagnostics> {
-    let Source { file, program, columns, .. } = *source;
-    let headers = Headers::find(&grid.rows, program, columns)
+pub(super) fn of_grid(grid: &Grid, source: &Source<'_>) -> Result<Forces, Diagnostics> {
+    let Source { file, program, columns, asked, .. } = *source;
+    let headers = Headers::find(&grid.rows, program, columns, asked)
         .map_err(|HeaderFault { line, message, help }| fault(file, line, None, message, &help))?;
     let rows = &grid.rows[headers.first..];
     if rows.is_empty() {
@@ -104,7 +106,7 @@ pub(super) fn of_grid(
     }
     Diagnostics::refuse(faults)?;
     let given = Quantity::ACTIONS.map(|q| headers.columns.iter().any(|c| c.quantity == q));
-    Ok((out, given))
+    Ok(Forces { rows: out, given, refused: BTreeMap::new() })
 }
 
 fn cell<'a>(row: &'a Row, column: &Column) -> &'a str {
@@ -114,6 +116,12 @@ fn cell<'a>(row: &'a Row, column: &Column) -> &'a str {
         None => whole,
     }
     .trim()
+}
+
+/// A product of a decimal number and the factor of a unit without the noise of its last digit:
+/// 12.3 kN is 12300 N. A double holds 15 digits of any decimal number.
+fn decimal_value(product: f64) -> f64 {
+    format!("{product:.14e}").parse().unwrap_or(product)
 }
 
 fn of_row(row: &Row, columns: &[Column], decimal: char) -> Result<ForceRow, (String, String)> {
@@ -133,7 +141,7 @@ fn of_row(row: &Row, columns: &[Column], decimal: char) -> Result<ForceRow, (Str
                     let message = format!("column `{}`: `{text}` is not a number", column.header);
                     return Err((column.header.clone(), message));
                 };
-                actions[i] = column.factor * value;
+                actions[i] = decimal_value(column.factor * value);
             }
         }
     }
@@ -141,7 +149,7 @@ fn of_row(row: &Row, columns: &[Column], decimal: char) -> Result<ForceRow, (Str
         // a unit may stand behind it
         grid::number(text.split_whitespace().next()?, decimal)
     });
-    Ok(ForceRow { line: row.line, texts, station, actions })
+    Ok(ForceRow { line: row.line, texts, station, length: None, actions })
 }
 
 /// The decimal sign of the actions. Between commas, and in the cells of a workbook, a point is one.
@@ -159,13 +167,28 @@ fn decimal(
         return Ok('.');
     }
     grid::decimal_sign(cells.into_iter()).map_err(|[a, b]| {
-        let message = match a == b {
-            true => {
-                format!("`{a}` may be {} or {}", a.replace(',', "."), a.replace([',', '.'], ""))
-            }
-            false => format!("`{a}` has a point before its decimals and `{b}` a comma"),
+        let line = |text: &str| {
+            let holds = |r: &&Row| numbers().any(|c| cell(r, c) == text);
+            rows.iter().find(holds).map_or(1, |r| r.line)
         };
-        let at = rows.iter().find(|r| r.cells.contains(&b)).map_or(1, |r| r.line);
+        let (at, message) = match a == b {
+            true => {
+                let [point, comma] = [a.replace(',', "."), a.replace([',', '.'], "")];
+                (line(&a), format!("`{a}` may be {point} or {comma}"))
+            }
+            false => {
+                let [first, other] = [line(&a), line(&b)];
+                let of = |l: usize| match first == other {
+                    true => String::new(),
+                    false => format!(" in line {l}"),
+                };
+                let (point, comma) = (of(first), of(other));
+                let message = format!(
+                    "`{a}`{point} has a point before its decimals and `{b}`{comma} a comma"
+                );
+                (first.max(other), message)
+            }
+        };
         let help =
             "write all decimals of the table with the same sign and nothing between thousands";
         fault(file, at, None, message, help).into()
@@ -243,12 +266,4 @@ fn is_extreme(text: &str) -> bool {
     };
     matches!(first.as_str(), "max" | "min" | "maximum" | "minimum")
         && (rest.is_empty() || rest.len() == 1 && of_action(rest[0]))
-}
-
-/// The rows of a member, for a message.
-pub fn names<'a>(rows: impl Iterator<Item = &'a ForceRow>, quantity: Quantity) -> String {
-    let mut names: Vec<&str> = rows.filter_map(|r| r.text(quantity)).collect();
-    names.sort_unstable();
-    names.dedup();
-    list(&names)
 }

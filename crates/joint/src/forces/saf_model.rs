@@ -3,6 +3,7 @@
 //!
 //! Columns are found by their headers, whose case and order differ between versions of SAF.
 
+use super::frame_model::{FrameMember, FrameModel};
 use bracket_base::diag::{Diagnostic, Diagnostics, Place};
 use bracket_base::grid::{self, Comments, Grid, Row};
 use std::collections::BTreeMap;
@@ -21,27 +22,6 @@ const MATERIALS: &str = "StructuralMaterial";
 /// # Source
 /// SAF documentation, annex Formcodes.
 const TURNED: [u32; 10] = [4, 10, 11, 12, 16, 17, 20, 21, 22, 23];
-
-/// What the workbook says of a member.
-#[derive(Clone, Debug, PartialEq)]
-pub struct SafMember {
-    /// Its row in the sheet of members.
-    pub line: usize,
-    /// Its section.
-    pub section: String,
-    /// Name of the rolled profile, as the workbook writes it; empty if it has none.
-    pub profile: String,
-    /// Steel grade, as the workbook writes it; empty if it has none.
-    pub steel: String,
-    /// True if the principal axes of the section are not along its depth and width.
-    pub turned: bool,
-}
-
-/// The members of a workbook by name.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct SafModel {
-    members: BTreeMap<String, SafMember>,
-}
 
 /// A sheet whose columns are known by their headers.
 struct Sheet {
@@ -80,79 +60,70 @@ impl Sheet {
     }
 }
 
-impl SafModel {
-    /// Reads the sheets of a workbook; `None` if it does not have all three.
-    pub fn read(file: &Path) -> Result<Option<Self>, Diagnostics> {
-        let unread = |e| {
-            Diagnostic::input("loads/model", format!("the workbook cannot be read: {e}"))
-                .file(file)
-                .help("check the path")
-        };
-        let names = grid::sheet_names(file, unread)?;
-        let named = |wanted: &str| {
-            let cut = &wanted[..wanted.len().min(LONGEST)];
-            names.iter().find(|n| n.trim().eq_ignore_ascii_case(cut))
-        };
-        let mut sheets = Vec::new();
-        for wanted in [MEMBERS, SECTIONS, MATERIALS] {
-            let Some(name) = named(wanted) else { return Ok(None) };
-            let grid = grid::read(file, Some(name), &[], Comments::None, unread)?;
-            let Some(sheet) = Sheet::of(name, grid) else { return Ok(None) };
-            sheets.push(sheet);
-        }
-        let [members, sections, materials] = [0, 1, 2].map(|i| &sheets[i]);
-        Self::of(members, sections, materials, file).map(Some)
+/// Reads the sheets of a workbook; `None` if it does not have all three.
+pub fn read(file: &Path) -> Result<Option<FrameModel>, Diagnostics> {
+    let unread = |e| {
+        Diagnostic::input("loads/model", format!("the workbook cannot be read: {e}"))
+            .file(file)
+            .help("check the path")
+    };
+    let names = grid::sheet_names(file, unread)?;
+    let named = |wanted: &str| {
+        let cut = &wanted[..wanted.len().min(LONGEST)];
+        names.iter().find(|n| n.trim().eq_ignore_ascii_case(cut))
+    };
+    let mut sheets = Vec::new();
+    for wanted in [MEMBERS, SECTIONS, MATERIALS] {
+        let Some(name) = named(wanted) else { return Ok(None) };
+        let grid = grid::read(file, Some(name), &[], Comments::None, unread)?;
+        let Some(sheet) = Sheet::of(name, grid) else { return Ok(None) };
+        sheets.push(sheet);
     }
+    let [members, sections, materials] = [0, 1, 2].map(|i| &sheets[i]);
+    of(members, sections, materials, file).map(Some)
+}
 
-    fn of(
-        members: &Sheet,
-        sections: &Sheet,
-        materials: &Sheet,
-        file: &Path,
-    ) -> Result<Self, Diagnostics> {
-        let cell = |row: &Row, i: usize| row.cells.get(i).cloned().unwrap_or_default();
-        let [material, quality] =
-            [materials.column("Name", file)?, materials.column("Quality", file)?];
-        let qualities: BTreeMap<String, String> =
-            materials.rows.iter().map(|r| (cell(r, material), cell(r, quality))).collect();
-        let [name, of, profile] = [
-            sections.column("Name", file)?,
-            sections.column("Material", file)?,
-            sections.column("Profile", file)?,
-        ];
-        let form = sections.column("Form code", file).ok();
-        let known: BTreeMap<String, &Row> =
-            sections.rows.iter().map(|r| (cell(r, name), r)).collect();
-        let [member, section] =
-            [members.column("Name", file)?, members.column("Cross section", file)?];
-        let mut out = BTreeMap::new();
-        for row in &members.rows {
-            let section = cell(row, section);
-            let Some(of_section) = known.get(&section) else {
-                let message = format!(
-                    "member `{}` has the section `{section}`, which the sheet `{}` does not have",
-                    cell(row, member),
-                    sections.name
-                );
-                let help = "export the workbook again with all sections";
-                return Err(fault(file, row.line, &members.name, message, help).into());
-            };
-            let steel = qualities.get(&cell(of_section, of)).cloned().unwrap_or_default();
-            // a code may have words behind it
-            let code = form.map(|i| cell(of_section, i)).unwrap_or_default();
-            let digits: String = code.chars().take_while(char::is_ascii_digit).collect();
-            let turned = digits.parse().is_ok_and(|code: u32| TURNED.contains(&code));
-            let profile = cell(of_section, profile);
-            let of_member = SafMember { line: row.line, section, profile, steel, turned };
-            out.insert(cell(row, member), of_member);
-        }
-        Ok(Self { members: out })
+fn of(
+    members: &Sheet,
+    sections: &Sheet,
+    materials: &Sheet,
+    file: &Path,
+) -> Result<FrameModel, Diagnostics> {
+    let cell = |row: &Row, i: usize| row.cells.get(i).cloned().unwrap_or_default();
+    let [material, quality] = [materials.column("Name", file)?, materials.column("Quality", file)?];
+    let qualities: BTreeMap<String, String> =
+        materials.rows.iter().map(|r| (cell(r, material), cell(r, quality))).collect();
+    let [name, of, profile] = [
+        sections.column("Name", file)?,
+        sections.column("Material", file)?,
+        sections.column("Profile", file)?,
+    ];
+    let form = sections.column("Form code", file).ok();
+    let known: BTreeMap<String, &Row> = sections.rows.iter().map(|r| (cell(r, name), r)).collect();
+    let [member, section] = [members.column("Name", file)?, members.column("Cross section", file)?];
+    let mut out = BTreeMap::new();
+    for row in &members.rows {
+        let section = cell(row, section);
+        let Some(of_section) = known.get(&section) else {
+            let message = format!(
+                "member `{}` has the section `{section}`, which the sheet `{}` does not have",
+                cell(row, member),
+                sections.name
+            );
+            let help = "export the workbook again with all sections";
+            return Err(fault(file, row.line, &members.name, message, help).into());
+        };
+        let steel = qualities.get(&cell(of_section, of)).cloned().unwrap_or_default();
+        // a code may have words behind it
+        let code = form.map(|i| cell(of_section, i)).unwrap_or_default();
+        let digits: String = code.chars().take_while(char::is_ascii_digit).collect();
+        let turned = digits.parse().is_ok_and(|code: u32| TURNED.contains(&code));
+        let profile = cell(of_section, profile);
+        let path = Some(MEMBERS.to_owned());
+        let place = Place { file: Some(file.into()), line: Some(row.line), column: None, path };
+        out.insert(cell(row, member), FrameMember { place, section, profile, steel, turned });
     }
-
-    /// A member by its name.
-    pub fn member(&self, name: &str) -> Option<&SafMember> {
-        self.members.get(name)
-    }
+    Ok(out.into_iter().collect())
 }
 
 #[cfg(test)]
@@ -166,10 +137,10 @@ mod tests {
         Sheet::of(name, grid).expect("a header")
     }
 
-    fn model(sections: &[&str]) -> Result<SafModel, Diagnostics> {
+    fn model(sections: &[&str]) -> Result<FrameModel, Diagnostics> {
         let members = sheet(MEMBERS, &["Type|name|Cross-section", "Beam|B1|CS1", "Column|C1|CS2"]);
         let materials = sheet(MATERIALS, &["Quality|Name", "S 235|Steel"]);
-        SafModel::of(&members, &sheet(SECTIONS, sections), &materials, Path::new("model.xlsx"))
+        of(&members, &sheet(SECTIONS, sections), &materials, Path::new("model.xlsx"))
     }
 
     #[test]
@@ -178,7 +149,7 @@ mod tests {
         let model = model(&[head, "CS1|Steel|1|IPE 300", "CS2|Concrete|16|Z200"]).expect("a model");
         let beam = model.member("B1").expect("a beam");
         assert_eq!((beam.profile.as_str(), beam.steel.as_str()), ("IPE 300", "S 235"));
-        assert!(!beam.turned && beam.line == 2);
+        assert!(!beam.turned && beam.place.line == Some(2));
         let other = model.member("C1").expect("a column");
         assert!(other.turned && other.steel.is_empty());
         assert_eq!(model.member("b1"), None);

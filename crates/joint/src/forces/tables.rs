@@ -1,8 +1,9 @@
 //! Tables of forces that many joints share: each is read once.
 
+use super::force_row::{ForceRow, Forces};
 use super::program::Quantity;
-use super::read::{ForceRow, Source, read};
-use bracket_base::diag::Diagnostics;
+use super::read::{Source, read};
+use bracket_base::diag::{Diagnostic, Diagnostics};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::path::PathBuf;
 
@@ -18,12 +19,14 @@ pub struct ForceTable {
     pub given: [bool; 6],
     /// Names of the load cases, each once.
     pub cases: BTreeSet<String>,
+    /// Members that cannot be read, with the reason.
+    refused: BTreeMap<String, Diagnostic>,
     /// Positions of the rows of each member; empty if a row has no member.
     by_member: HashMap<String, Vec<usize>>,
 }
 
 impl ForceTable {
-    fn new((rows, given): (Vec<ForceRow>, [bool; 6])) -> Self {
+    fn new(Forces { rows, given, refused }: Forces) -> Self {
         let cases = rows.iter().filter_map(|r| r.text(Quantity::Case)).map(str::to_owned);
         let cases = cases.collect();
         let mut by_member: HashMap<String, Vec<usize>> = HashMap::new();
@@ -37,7 +40,15 @@ impl ForceTable {
                 None => drop(by_member.insert(member.into(), vec![i])),
             }
         }
-        Self { rows, given, cases, by_member }
+        Self { rows, given, cases, refused, by_member }
+    }
+
+    /// Why the rows of a member cannot be read; without a member, why any of them cannot.
+    pub fn refusal(&self, member: Option<&str>) -> Option<&Diagnostic> {
+        match member {
+            Some(member) => self.refused.get(member.trim()),
+            None => self.refused.values().next(),
+        }
     }
 
     /// The rows among which those of a member are: its own, or all of them.

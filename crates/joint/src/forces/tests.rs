@@ -18,8 +18,9 @@ fn table(
     let file = Path::new("forces.csv");
     let grid =
         bracket_base::grid::of_text(text, Comments::None).map_err(|d| Diagnostics::from(*d))?;
-    let source = Source { file, sheet: None, program, columns: &columns };
-    read::of_grid(&grid, &source).map(|(rows, _)| rows)
+    let asked = Asked::Spec;
+    let source = Source { file, sheet: None, program, columns: &columns, asked };
+    read::of_grid(&grid, &source).map(|f| f.rows)
 }
 
 fn rows(text: &str, program: Program) -> Vec<ForceRow> {
@@ -98,6 +99,63 @@ fn a_cantilever_in_seven_programs() {
     }
 }
 
+/// Numbers have no more digits than those of the table, whatever its units.
+#[test]
+fn products_without_noise() {
+    let text = "case,N [kN],Vz [N],My [kN m],Mz [kN cm]\nA,1.005,12.3,4.35,-0.0007\n\
+                B,-0.10877399322016867,0,8.1,0.07\n";
+    let rows = table(text, None, &[]).expect("sound");
+    assert_eq!(rows[0].actions, [1005.0, 0.0, 12.3, 0.0, 4.35e6, -7.0]);
+    assert_eq!(rows[1].actions[4..], [8.1e6, 700.0]);
+    assert!((rows[1].actions[0] + 108.773_993_220_168_67).abs() < 1e-12);
+}
+
+/// A fault of decimal signs is in the line of the number that the others contradict.
+#[test]
+fn lines_of_mixed_decimal_signs() {
+    for (text, line, message) in [
+        ("case;N [kN];My [kN m]\n1,5;1.5;2.5\nB;7;8\nC;2,25;1\n", 4, "`1.5` in line 2 has"),
+        ("case;N [kN]\nA;2,25\nB;7\nC;1.5\n", 4, "`1.5` in line 4 has a point"),
+        ("1,250;N [kN];case\n0;7;1,250\n0;1,250;B\n", 3, "`1,250` may be 1.250 or 1250"),
+        ("case;N [kN];My [kN m]\nA;1.5;2,5\n", 2, "`1.5` has a point"),
+    ] {
+        let d = refused(text, None);
+        assert_eq!(d.place.line, Some(line), "{text}: {d:#?}");
+        assert!(d.message.contains(message), "{text}: {d:#?}");
+    }
+}
+
+/// A command has options and no keys: its helps do not name `columns`.
+#[test]
+fn helps_for_a_command() {
+    let none = BTreeMap::new();
+    for (text, program, help) in [
+        ("case,N\nA,1\n", None, "`N [kN]`"),
+        ("a,b\n1,2\n", None, "`--mapping`"),
+        ("case,N [kN],N [kN]\nA,1,2\n", None, "delete or rename"),
+        ("case,N [kN],MY [kNm]\nA,1,2\n", None, "`--mapping` that knows it"),
+        (
+            "Bar,Case,FX (kN),FY (kN),FZ (kN),MX (kNm),MY (kNm),MZ (kNm)\n1,1,0,0,0,0,0,0\n",
+            None,
+            "`--mapping robot`",
+        ),
+        (
+            "Member No.;Location x [m];LC;N [kN];My [kNm]\n1;0,00;1;0,00;-2,50\n",
+            None,
+            "with `--mapping`",
+        ),
+        ("LC;Stab;N [kN];Q [kNm]\n1;1;0,00;1,5\n", Some(Program::Rfem), "`--mapping` that"),
+    ] {
+        let grid = bracket_base::grid::of_text(text, Comments::None).expect("a table");
+        let file = Path::new("forces.csv");
+        let source = Source { file, sheet: None, program, columns: &none, asked: Asked::Command };
+        let d = read::of_grid(&grid, &source).map(drop).expect_err(text).into_first();
+        let told = d.help.unwrap_or_default();
+        assert!(told.contains(help) && !told.contains("columns:"), "{text}: {told}");
+        assert!(!d.message.contains("mapping: "), "{text}: {}", d.message);
+    }
+}
+
 /// Tension is positive in Bracket, whatever the program says, and a moment about the weak axis that
 /// pulls the side of +y′ is negative.
 #[test]
@@ -154,6 +212,10 @@ fn what_is_wrong_with_a_table() {
         ("a,b\n1,2\n", None, "no row has the header of an action", "`a`, `b`"),
         ("case,N [kN]\n", None, "has no rows", "a load case"),
         ("case,N\nA,1\n", None, "the column `N` has no unit", "N [kN]"),
+        // a unit that cannot be read is the fault of its own column
+        ("case,N,My\n,kN,kNn\nA,1,2\n", None, "`My`: `kNn` is no unit of a moment", "kN m"),
+        ("case,N,My\n,kip,t m\nA,1,2\n", None, "`My`: `t m` is no unit of a moment", "kN m"),
+        ("case,N,My\n,,kN m\nA,1,2\n", None, "the column `N` has no unit", "N [kN]"),
         ("case,N [kN m]\nA,1\n", None, "`kN m` is no unit of a force", "kN"),
         ("case,N [kN],N [kN]\nA,1,2\n", None, "both `N [kN]` and `N [kN]`", "name one"),
         ("case,N [kN],MY [kNm]\nA,1,2\n", None, "`MY [kNm]` has a unit of actions", "columns"),

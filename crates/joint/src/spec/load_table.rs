@@ -2,7 +2,7 @@
 
 use super::loads::{ActionPoint, LimitState, LoadSpec};
 use super::word::{Word, word_or_none};
-use crate::forces::{Program, Quantity};
+use crate::forces::{Asked, Program, Quantity};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
@@ -144,6 +144,9 @@ pub struct LoadTable {
     /// Where they act, likewise.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub at: Option<ActionPoint>,
+    /// Who asks for it; no key of a spec.
+    #[serde(skip)]
+    pub asked: Asked,
 }
 
 impl LoadTable {

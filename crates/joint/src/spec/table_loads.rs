@@ -3,7 +3,7 @@
 use super::connection::ConnectionSpec;
 use super::load_table::{LoadTable, Station};
 use super::loads::{Action, ActionPoint, LimitState, LoadSpec};
-use crate::forces::{ForceRow, ForceTable, ForceTables, Program, Quantity, Source, names};
+use crate::forces::{Asked, ForceRow, ForceTable, ForceTables, Program, Quantity, Source, names};
 use bracket_base::diag::{Diagnostic, Diagnostics, Place, did_you_mean};
 use bracket_base::yaml::Parsed;
 use std::collections::BTreeMap;
@@ -86,13 +86,17 @@ fn cases(
     file: &Path,
 ) -> Result<Vec<(usize, LoadSpec)>, Diagnostics> {
     let sheet = table.sheet.as_deref();
-    let source = Source { file, sheet, program: table.mapping, columns: &table.columns };
+    let LoadTable { mapping: program, columns, asked, .. } = table;
+    let source = Source { file, sheet, program: *program, columns, asked: *asked };
     let forces = tables.of(&source)?;
     if table.mapping.is_some() && table.flip.is_none() && !table.at_an_end() {
         let message = "the table does not say at which end of the member the joint is";
         let help = "write `station: start` or `station: end`; or `flip: false` where the member \
                     starts at the joint and `flip: true` where it ends there";
         return Err(of_key("flip", message.into(), help));
+    }
+    if let Some(why) = forces.refusal(table.member.as_deref()) {
+        return Err(why.clone().into());
     }
     check_states(forces, table)?;
     let rows = of_member(forces.around(table.member.as_deref()), table)?;
@@ -184,7 +188,10 @@ fn of_cases<'a>(
     table: &LoadTable,
 ) -> Result<Vec<&'a ForceRow>, Diagnostics> {
     if let Some(row) = rows.iter().find(|r| r.text(Quantity::Case).is_none()) {
-        let help = "give every row a name, or name the column with `columns: {case: …}`";
+        let help = match table.asked {
+            Asked::Spec => "give every row a name, or name the column with `columns: {case: …}`",
+            Asked::Command => "give every row a name, or call the column of names `case`",
+        };
         return Err(of_row(row, "the row has no name of a load case".into(), help));
     }
     if table.cases.is_empty() {
@@ -245,6 +252,23 @@ fn at_station<'a>(
         if !same(*extreme.entry(*place).or_insert(wanted), wanted) {
             let message = format!("load case `{case}` has its {station} at another station");
             let help = "export the same sections of every load case";
+            return Err(of_row(group[0].1, message, help));
+        }
+        let length = group.iter().find_map(|(_, r)| r.length);
+        let end = match station {
+            Station::Start => Some(0.0),
+            Station::End => length,
+            Station::At(_) => None,
+        };
+        if let (Some(length), Some(end)) = (length, end)
+            && !same(wanted, end)
+        {
+            let message = format!(
+                "load case `{case}` has no section at the {station} of the member: the nearest is \
+                 {wanted} m from the start, and the member is {length} m long"
+            );
+            let help = "export the sections at both ends; of a member that runs through a node, \
+                        one section on each side of it";
             return Err(of_row(group[0].1, message, help));
         }
         let before = kept.len();
