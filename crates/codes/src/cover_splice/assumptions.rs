@@ -10,7 +10,8 @@ use bracket_joint::assembly::{CoverSplice, SplicedMember};
 pub(super) fn assumptions(e: &CoverSplice) -> Vec<Check> {
     let (clause, id) = ("EN 1993-1-8:2005 6.2.7.1(16), 3.12", CheckId::SpliceShares);
     let shares = "flanges and web take their elastic shares of N and My, the web takes Vz with its \
-                  moment about the centre of its bolts; nothing is shed from the web to the flanges";
+                  moment about the centre of its bolts; nothing is shed from the web to the \
+                  flanges";
     let planes = "every shear plane of a bolt takes the same force, so that the outer cover and \
                   the inner covers of a flange carry one half each; the distance of the covers \
                   from the flange is left out";

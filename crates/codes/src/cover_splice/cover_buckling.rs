@@ -12,12 +12,12 @@ const BUCKLING_LENGTH: f64 = 0.6;
 /// Distance over thickness, over ε, up to which nothing buckles, Table 3.3 note 2.
 const STOCKY: f64 = 9.0;
 
-/// χ of a cover with the slenderness that gives it.
+/// χ of a cover between its bolts.
 pub(super) struct Buckling {
-    /// λ̄ and Φ.
+    /// How slender the cover is.
     pub before: Derivation,
-    /// χ.
-    pub chi: Formula,
+    /// χ; `None` where it is too stocky to buckle.
+    pub chi: Option<Formula>,
 }
 
 /// The largest distance between bolts along the covers: across the gap, or between rows \[mm\].
@@ -26,13 +26,12 @@ pub(super) fn free_length(rows: &[f64]) -> f64 {
     pitches(rows).map_or(0.0, |[_, most]| most).max(2.0 * first)
 }
 
-/// χ of a cover between bolts at the distance `p` \[mm\]; the comparison that shows it where the
-/// cover is stocky enough.
+/// χ of a cover between bolts at the distance `p` \[mm\].
 ///
 /// # Source
 /// EN 1993-1-8:2005 Table 3.3 note 2: p/t ≤ 9 ε, else a member of the length 0.6 p; EN
 /// 1993-1-1:2005 6.3.1, curve c.
-pub(super) fn buckling(p: f64, thickness: f64, steel: &Strength) -> Result<Buckling, Line> {
+pub(super) fn buckling(p: f64, thickness: f64, steel: &Strength) -> Buckling {
     let n = Traced::from;
     let limit = n(STOCKY) * Traced::number("ε", epsilon(steel.fy.mpa()));
     let line = |relation| {
@@ -40,7 +39,7 @@ pub(super) fn buckling(p: f64, thickness: f64, steel: &Strength) -> Result<Buckl
         Line::comparison("p1/t", p / thickness, relation, limit, Unit::Number)
     };
     if within(p / thickness, limit.value()) {
-        return Err(line(Relation::AtMost));
+        return Buckling { before: line(Relation::AtMost).into(), chi: None };
     }
     let length = n(BUCKLING_LENGTH) * Traced::length("p1", p);
     let radius = Traced::length("t", thickness) / n(12.0).sqrt();
@@ -50,5 +49,5 @@ pub(super) fn buckling(p: f64, thickness: f64, steel: &Strength) -> Result<Buckl
     let phi = Formula::new("Φ", phi(alpha, slenderness.traced()), Unit::Number);
     let chi = Formula::new("χ", chi(phi.traced(), slenderness.traced()), Unit::Number);
     let before = Derivation::from(line(Relation::Above)).then(slenderness).then(phi);
-    Ok(Buckling { before, chi })
+    Buckling { before, chi: Some(chi) }
 }

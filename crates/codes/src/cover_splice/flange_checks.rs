@@ -81,15 +81,18 @@ fn block(e: &CoverSplice, plate: &FlangePlate<'_>) -> Option<Worked> {
 /// Resistance of a cover to compression, with its buckling between the bolts \[N\].
 fn between_bolts(e: &CoverSplice, plate: &FlangePlate<'_>) -> Worked {
     let whole = plate.section(e).compression(CheckId::CoverCompression, unfilled(e));
-    match buckling(free_length(&e.flange_rows), plate.thickness, plate.steel) {
-        Err(stocky) => whole.after(stocky),
-        Ok(Buckling { before, chi }) => {
+    let Buckling { before, chi } =
+        buckling(free_length(&e.flange_rows), plate.thickness, plate.steel);
+    let whole = whole.after(before);
+    match chi {
+        None => whole,
+        Some(chi) => {
             let area = plate.count * plate.width * plate.thickness;
             let strength = Traced::stress("f_y", plate.steel.fy.mpa())
                 / Traced::number("γ_M1", e.factors.gamma_m1);
             let buckles = chi.traced() * Traced::area("A", area) * strength;
             let least = buckles.min(whole.traced());
-            let mut worked = whole.after(before).then(chi).becomes("N_b,Rd", least);
+            let mut worked = whole.then(chi).becomes("N_b,Rd", least);
             worked.clause = "EN 1993-1-8:2005 Table 3.3 note 2; EN 1993-1-1:2005 6.3.1";
             worked
         }

@@ -225,7 +225,8 @@ impl Bending<'_> {
     fn buckling(&self) -> Option<Worked> {
         let e = self.e;
         let p = free_length(&e.web_columns);
-        let Buckling { before, chi } = buckling(p, e.web.thickness, &e.web.steel).ok()?;
+        let Buckling { before, chi } = buckling(p, e.web.thickness, &e.web.steel);
+        let chi = chi?;
         let [t, h] = [e.web.thickness, e.web.width];
         let area = Formula::new("A", Traced::area("A", COVERS * t * h), Unit::Area);
         let modulus = Traced::number("W_el", COVERS * t * h * h / 6.0);

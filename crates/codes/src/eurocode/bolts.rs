@@ -43,9 +43,9 @@ pub fn beta_lf<N: Number>(length: N, d: N) -> N {
     beta.max(n(0.75)).min(n(1.0))
 }
 
-/// Reduction of the shear resistance of bolts that pass through packs, `β_p = 9 d/(8 d + 3 t_p)`, at
-/// most 1; `pack` t_p of the thicker pack at a shear plane, `d` of the bolt \[mm\]. It is 1 up to
-/// t_p = d/3.
+/// Reduction of the shear resistance of bolts that pass through packs, `β_p = 9 d/(8 d + 3 t_p)`,
+/// at most 1; `pack` t_p of the thicker pack at a shear plane, `d` of the bolt \[mm\]. It is 1 up
+/// to t_p = d/3.
 ///
 /// # Source
 /// EN 1993-1-8:2005 3.6.1(12) and (13), formula 3.3.

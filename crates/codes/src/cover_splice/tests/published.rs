@@ -1,11 +1,11 @@
-//! A published splice: UB 457 x 191 x 67 of S275 (f_u 410), M 200 kNm (133 at serviceability), V 150
-//! (100) kN, N 150 (100) kN compression, M20 8.8 preloaded, μ 0.5; a report of a program that
+//! A published splice: UB 457 x 191 x 67 of S275 (f_u 410), M 200 kNm (133 at serviceability), V
+//! 150 (100) kN, N 150 (100) kN compression, M20 8.8 preloaded, μ 0.5; a report of a program that
 //! follows SCI P398. Its summary is at hand, its drawings are not. The distances follow from its
 //! resistances: the flange cover 180 × 12 with 6 bolts, e2 30, p2 120, e1 + 2 p1 = 220 from its net
 //! section and its block; 130 across the gap from its χ; web covers 340 × 10 from their shear; 3
-//! rows at 120 from their block; two columns at 75 and 160 from the splice axis from the force of the
-//! corner bolt and the bending of the covers together. It has γ_M2 = 1.1 for sections and 1.25 for
-//! bolts, so that each is checked with its own.
+//! rows at 120 from their block; two columns at 75 and 160 from the splice axis from the force of
+//! the corner bolt and the bending of the covers together. It has γ_M2 = 1.1 for sections and 1.25
+//! for bolts, so that each is checked with its own.
 
 use super::fixture::{find, near, numbers, open, splice};
 use crate::check::CheckId;
