@@ -57,6 +57,15 @@ pub use method_record::{LimitRecord, MethodRecord, RowRecord, StubRecord, WebRec
 pub use parts_list::{PartItem, PartSize, parts_list, total_mass};
 pub use welds_list::{WeldItem, welds_list};
 
+// what the checks of simple joints have in common with those of end plates
+pub(crate) use assumptions::{not_checked, unseen_loads, without_strength};
+pub(crate) use beam_checks::beyond_a_beam;
+pub(crate) use hole_checks::kind_of_holes;
+pub(crate) use national_annex::of_any_joint;
+pub(crate) use outside_range::{Piece, of_parts};
+pub(crate) use slip_checks::{Preloaded, assemblies};
+pub(crate) use tying::GAMMA_MU;
+
 use bracket_joint::assembly::EndPlate;
 use rotation_rules::RotationRules;
 
@@ -75,8 +84,8 @@ pub fn hand_checks(e: &EndPlate) -> HandChecks {
     out.checks.extend(assumptions::no_weld_strength(e));
     out.checks.extend(weld_lengths::rule(e));
     out.checks.extend(national_annex::checks(e));
-    out.checks.extend(assumptions::unseen_loads(e));
-    out.checks.extend(assumptions::not_checked(e));
+    out.checks.extend(assumptions::unseen_loads(&e.unseen));
+    out.checks.extend(assumptions::not_checked(&e.not_checked));
     out.notes.extend(component_tables::left_out(e));
     let senses = component_tables::senses(e, &mut out);
     let rules = RotationRules::new(e);

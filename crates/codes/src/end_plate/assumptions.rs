@@ -6,9 +6,10 @@ use crate::subject::{Part, Place};
 use bracket_base::say;
 use bracket_base::words::Text;
 use bracket_joint::assembly::{EndPlate, NotChecked, UnseenLoad};
+use bracket_joint::strength::Strength;
 
 /// Loads that the checks leave out.
-pub(super) fn unseen_loads(e: &EndPlate) -> Vec<Check> {
+pub(crate) fn unseen_loads(all: &[UnseenLoad]) -> Vec<Check> {
     let unseen = |l: &UnseenLoad| {
         let (clause, id) = ("EN 1993-1-8:2005 6.2", CheckId::LoadsNotHeld);
         let topic = Topic::ComponentMethod;
@@ -17,12 +18,12 @@ pub(super) fn unseen_loads(e: &EndPlate) -> Vec<Check> {
             .without_method()
             .of_case(&l.case)
     };
-    e.unseen.iter().map(unseen).collect()
+    all.iter().map(unseen).collect()
 }
 
 /// Parts of the geometry that the checks leave out, and parts that they count and the geometry
 /// lacks.
-pub(super) fn not_checked(e: &EndPlate) -> Vec<Check> {
+pub(crate) fn not_checked(all: &[NotChecked]) -> Vec<Check> {
     let check = |n: &NotChecked| {
         let (topic, id) = (Topic::Member, CheckId::NotChecked);
         let (label, clause) = (Place::Named(n.label.clone()), "EN 1993-1-8:2005 2.4");
@@ -36,7 +37,7 @@ pub(super) fn not_checked(e: &EndPlate) -> Vec<Check> {
         };
         check.naming(Text::joined(", ", n.parts.clone()))
     };
-    e.not_checked.iter().map(check).collect()
+    all.iter().map(check).collect()
 }
 
 /// Fillet welds of steels for which Table 4.1 has no β_w: the code gives them no strength.
@@ -51,17 +52,18 @@ pub(super) fn no_weld_strength(e: &EndPlate) -> Vec<Check> {
         .into_iter()
         .chain([beam])
         .filter(|(throat, steel, _)| *throat > 0.0 && steel.beta_w.is_none());
-    without
-        .map(|(_, steel, part)| {
-            let (clause, id) = ("EN 1993-1-8:2005 Table 4.1", CheckId::WeldStrength);
-            let why = say!(
-                "Table 4.1 has no β_w for {}: its fillet welds have no strength by this code",
-                &steel.grade
-            );
-            let step = "butt welds, or a row with β_w in a table of your own (`catalog`)";
-            Check::undecided(Topic::Welds, part, clause, id, why, step)
-        })
-        .collect()
+    without.map(|(_, steel, part)| without_strength(part, steel)).collect()
+}
+
+/// The check of the fillet welds of a part of a steel without β_w.
+pub(crate) fn without_strength(part: Part, steel: &Strength) -> Check {
+    let (clause, id) = ("EN 1993-1-8:2005 Table 4.1", CheckId::WeldStrength);
+    let why = say!(
+        "Table 4.1 has no β_w for {}: its fillet welds have no strength by this code",
+        &steel.grade
+    );
+    let step = "butt welds, or a row with β_w in a table of your own (`catalog`)";
+    Check::undecided(Topic::Welds, part, clause, id, why, step)
 }
 
 /// Ids of the checks of bolts under load.

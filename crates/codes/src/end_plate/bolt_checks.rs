@@ -4,10 +4,9 @@ use super::bolt_rows::{bolt, from_top, pitches};
 use super::clamped_plates::{ClampedPlate, clamped_plates};
 use crate::check::{Check, Topic, largest, within};
 use crate::eurocode::bearing::{Along, Hole};
-use crate::eurocode::bolts::{long_joint, shear_resistance, tension_resistance};
-use crate::eurocode::holes::{Clearance, shear_factor};
+use crate::eurocode::bolts::{shear_in_joint, tension_resistance};
+use crate::eurocode::holes::Clearance;
 use crate::eurocode::punching::{mean_diameter, punching_resistance};
-use crate::formula::Traced;
 use crate::subject::{Part, Place, Subject};
 use crate::worked::Worked;
 use bracket_joint::assembly::{EndPlate, Way};
@@ -102,24 +101,12 @@ pub(super) fn shear_of_all(e: &EndPlate, force: [f64; 2]) -> f64 {
 /// # Source
 /// EN 1993-1-8:2005 Table 3.4, 3.8(1), 3.6.1(5).
 pub(super) fn bolt_shear(e: &EndPlate, [across, along]: [f64; 2]) -> Worked {
-    let mut worked = shear_resistance(&e.bolt, &e.grade, e.factors.gamma_m2);
-    let whole = worked.traced();
-    let mut reduced = whole.clone();
     let size = across.hypot(along);
     let [y, z] = if size > 0.0 { [across / size, along / size] } else { DOWN };
     let height = from_top(e);
     let height = height.first().zip(height.last()).map_or(0.0, |(a, b)| a - b);
-    let long = long_joint(z.abs() * height + y.abs() * e.gauge, e.bolt.d);
-    let small = shear_factor(&e.bolt, &e.grade, e.hole);
-    if small < 1.0 {
-        worked = worked.then("small bolts in holes wider than normal (3.6.1(5))");
-        reduced = Traced::from(small) * reduced;
-    }
-    if long.value < 1.0 {
-        reduced = reduced * long.traced();
-        worked.derivation = worked.derivation.followed_by(long.derivation);
-    }
-    if reduced == whole { worked } else { worked.becomes("F_v,Rd,red", reduced) }
+    let length = z.abs() * height + y.abs() * e.gauge;
+    shear_in_joint((&e.bolt, &e.grade), e.hole, length, e.factors.gamma_m2)
 }
 
 /// Resistances of one bolt in tension, shear, punching and bearing, as information.

@@ -9,13 +9,26 @@ use crate::subject::Part;
 use crate::worked::Worked;
 use bracket_base::say;
 use bracket_joint::assembly::EndPlate;
+use bracket_joint::catalog::BoltSize;
 
 /// Kind of the holes with its factors.
 pub(super) fn holes(e: &EndPlate) -> Vec<Check> {
-    let b = &e.bolt;
-    let kind = Clearance::of(&e.bolt, e.hole);
-    let Some(slip) = kind.slip() else { return Vec::new() };
-    let (id, part) = match (kind, for_bearing(e, DOWN)) {
+    let group = [shear_of_all(e, DOWN), group_bearing(e, Hole::Normal, DOWN)];
+    kind_of_holes(&e.bolt, e.hole, for_bearing(e, DOWN), group).into_iter().collect()
+}
+
+/// Kind of the holes of a diameter \[mm\] with its factors; `bearing`: the kind that bearing takes,
+/// `shear` and `normal` the resistances of the group in shear and, in normal holes, in bearing
+/// \[N\]. `None` for holes that the code does not have.
+pub(crate) fn kind_of_holes(
+    b: &BoltSize,
+    hole: f64,
+    bearing: Hole,
+    [shear, normal]: [f64; 2],
+) -> Option<Check> {
+    let kind = Clearance::of(b, hole);
+    let slip = kind.slip()?;
+    let (id, part) = match (kind, bearing) {
         (Clearance::Normal, _) => (CheckId::NormalHoles, 1.0),
         (_, Hole::Normal) => (CheckId::SmallBoltHoles, 1.0),
         _ => (CheckId::OversizeHoles, 0.8),
@@ -23,19 +36,18 @@ pub(super) fn holes(e: &EndPlate) -> Vec<Check> {
     let words = say!(
         "d0 = {} mm, normal {} mm, oversize {} mm: bearing times {} (Table 3.4), k_s = {} (Table \
          3.6)",
-        n(e.hole),
+        n(hole),
         n(b.hole_normal),
         n(b.hole_oversize),
         n(part),
         n(slip.ks())
     );
-    let clearance = Traced::length("d0", e.hole) - Traced::length("d", b.d);
+    let clearance = Traced::length("d0", hole) - Traced::length("d", b.d);
     let mut worked = Worked::of(CLEARANCES, id, "", clearance, Unit::Length).after(words);
     if kind == Clearance::Small {
-        let (shear, bearing) = (shear_of_all(e, DOWN), group_bearing(e, Hole::Normal, DOWN));
         worked = worked.after(say!(
             "group in bearing {}, in shear {}: {} (3.6.1(5))",
-            Unit::Force.show(bearing),
+            Unit::Force.show(normal),
             Unit::Force.show(shear),
             match part < 1.0 {
                 true => "bearing would govern, so that the holes count as oversize",
@@ -43,5 +55,5 @@ pub(super) fn holes(e: &EndPlate) -> Vec<Check> {
             }
         ));
     }
-    vec![worked.information(Topic::Detailing, Part::Holes)]
+    Some(worked.information(Topic::Detailing, Part::Holes))
 }

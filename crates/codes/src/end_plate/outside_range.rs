@@ -5,16 +5,16 @@
 //! Geometry that the tables of effective lengths do not cover is an error of the component method
 //! (`component_method::rows`), which becomes an undecided check of each load case.
 
-use super::bolt_rows::bolt;
 use crate::check::{Check, CheckId, Topic, Unit, within};
 use crate::eurocode::bolts::is_listed;
 use crate::eurocode::holes::{CLEARANCES, Clearance};
 use crate::eurocode::yielding::STRONGEST;
 use crate::formula::{Derivation, Line, Relation, Traced};
-use crate::subject::{Part, Subject};
+use crate::subject::{Part, Place, Subject};
 use bracket_base::say;
 use bracket_base::words::Text;
 use bracket_joint::assembly::EndPlate;
+use bracket_joint::catalog::{BoltGrade, BoltSize};
 use bracket_joint::strength::Strength;
 
 /// Least thickness \[mm\], EN 1993-1-1:2005 1.1.2(1).
@@ -22,21 +22,33 @@ const THINNEST: f64 = 3.0;
 /// Least thickness of a welded part \[mm\], EN 1993-1-8:2005 4.1(1).
 const THINNEST_WELDED: f64 = 4.0;
 
-/// A part of the joint with its steel.
-struct Piece<'a> {
-    part: Part,
-    thickness: f64,
-    steel: &'a Strength,
-    welded: bool,
+/// A part of a joint with its steel.
+pub(crate) struct Piece<'a> {
+    /// The part.
+    pub part: Part,
+    /// Its thickness \[mm\].
+    pub thickness: f64,
+    /// Its steel.
+    pub steel: &'a Strength,
+    /// Whether it is welded.
+    pub welded: bool,
 }
 
 /// Everything about a joint that lies outside the range of the rules.
 pub(super) fn outside_range(e: &EndPlate) -> Vec<Check> {
-    let parts = parts(e);
-    let mut out = steels(&parts);
-    out.extend(thicknesses(&parts));
-    out.extend(bolt_grade(e));
-    out.extend(holes(e));
+    of_parts(&parts(e), (&e.bolt, &e.grade), e.hole)
+}
+
+/// The same for any parts, bolts and diameter of their holes \[mm\].
+pub(crate) fn of_parts(
+    parts: &[Piece<'_>],
+    (bolt, grade): (&BoltSize, &BoltGrade),
+    hole: f64,
+) -> Vec<Check> {
+    let mut out = steels(parts);
+    out.extend(thicknesses(parts));
+    out.extend(bolt_grade(bolt, grade));
+    out.extend(holes(bolt, hole));
     out
 }
 
@@ -127,8 +139,7 @@ fn thicknesses(parts: &[Piece<'_>]) -> Vec<Check> {
 }
 
 /// A bolt grade stronger or weaker than those of Table 3.1.
-fn bolt_grade(e: &EndPlate) -> Option<Check> {
-    let g = &e.grade;
+fn bolt_grade(size: &BoltSize, g: &BoltGrade) -> Option<Check> {
     (!is_listed(g)).then(|| {
         let why = say!(
             "f_yb = {} and f_ub = {} of {} lie outside the grades 4.6 to 10.9: Table 3.1 does not \
@@ -138,19 +149,19 @@ fn bolt_grade(e: &EndPlate) -> Option<Check> {
             &g.grade
         );
         let clause = "EN 1993-1-8:2005 3.1.1(3), Table 3.1";
-        undecided(Topic::Bolts, bolt(e), clause, why, "a grade of Table 3.1")
+        undecided(Topic::Bolts, Place::bolt(size, g), clause, why, "a grade of Table 3.1")
     })
 }
 
 /// Holes wider than oversize: no factor of bearing and no k_s.
-fn holes(e: &EndPlate) -> Option<Check> {
-    (Clearance::of(&e.bolt, e.hole) == Clearance::Beyond).then(|| {
+fn holes(bolt: &BoltSize, hole: f64) -> Option<Check> {
+    (Clearance::of(bolt, hole) == Clearance::Beyond).then(|| {
         let why = say!(
             "d0 = {} is wider than an oversize hole of {} = {}: no bearing resistance \
              (Table 3.4) and no k_s (Table 3.6)",
-            Unit::Length.show(e.hole),
-            &e.bolt.size,
-            Unit::Length.show(e.bolt.hole_oversize)
+            Unit::Length.show(hole),
+            &bolt.size,
+            Unit::Length.show(bolt.hole_oversize)
         );
         let clause = say!("{}, {}", CLEARANCES, "EN 1993-1-8:2005 3.6.1(4)");
         let step = "a hole of at most that size (`parameters.hole_clearance`)";

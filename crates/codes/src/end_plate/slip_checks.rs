@@ -1,15 +1,16 @@
 //! Slip of preloaded bolts by their category, and the kind of bolt assemblies.
 
-use super::bolt_rows::bolt;
 use super::hole_checks::holes;
 use crate::check::{Check, CheckId, Status, Topic, Unit, within};
 use crate::eurocode::holes::Clearance;
 use crate::eurocode::slip::{preload, slip_resistance};
-use crate::formula::{Derivation, Formula, Number, Traced};
-use crate::subject::Subject;
+use crate::formula::{Derivation, Formula, Traced};
+use crate::subject::{Place, Subject};
 use crate::worked::Worked;
 use bracket_base::say;
 use bracket_joint::assembly::{EndPlate, PlaneActions};
+use bracket_joint::catalog::{BoltGrade, BoltSize};
+use bracket_joint::spec::code::PartialFactors;
 use bracket_joint::spec::connection::BoltCategory;
 use bracket_joint::spec::loads::LimitState;
 
@@ -29,40 +30,73 @@ fn demanded(category: Option<BoltCategory>, state: LimitState) -> Option<(CheckI
     }
 }
 
+/// Preloaded bolts of a joint.
+pub(crate) struct Preloaded<'a> {
+    /// Size and grade.
+    pub bolt: (&'a BoltSize, &'a BoltGrade),
+    /// Diameter of the holes \[mm\].
+    pub hole: f64,
+    /// Preload of a bolt \[N\]; `None`: not preloaded.
+    pub preload: Option<f64>,
+    /// Category, if the spec gives it.
+    pub category: Option<BoltCategory>,
+    /// Friction coefficient.
+    pub mu: f64,
+    /// Partial factors.
+    pub factors: &'a PartialFactors,
+}
+
+impl<'a> From<&'a EndPlate> for Preloaded<'a> {
+    fn from(e: &'a EndPlate) -> Self {
+        let EndPlate { bolt, grade, hole, preload, category, mu, factors, .. } = e;
+        let bolt = (bolt, grade);
+        let (hole, preload, category, mu) = (*hole, *preload, *category, *mu);
+        Self { bolt, hole, preload, category, mu, factors }
+    }
+}
+
 /// Slip of all preloaded bolts of a plate. The compression of a moment balances the clamping force
-/// that its tension takes (3.9.2(3)); an axial tension is shared by the bolts. The check binds
-/// where the spec names category B or C. Otherwise the joint need not resist slip, and exceeding
-/// the resistance is a warning.
-///
-/// # Source
-/// EN 1993-1-8:2005 3.4.1, Table 3.2, 3.9.
+/// that its tension takes (3.9.2(3)); an axial tension is shared by the bolts.
 pub(super) fn slip(e: &EndPlate, a: &PlaneActions) -> Option<Check> {
-    let (id, otherwise) = demanded(e.category, a.state)?;
-    // with a category that must not slip, no friction means no resistance; without a category there
-    // is nothing to check
-    let preload = e.preload.filter(|_| e.mu > 0.0 || e.category.is_some())?;
-    let gamma = match a.state.is_ultimate() {
-        true => ("γ_M3", e.factors.gamma_m3),
-        false => ("γ_M3,ser", e.factors.gamma_m3_ser),
-    };
     let [axial, vy, vz] = a.at(1.0)[0];
     let bolts = 2.0 * e.rows.len() as f64;
-    let Some(hole) = Clearance::of(&e.bolt, e.hole).slip() else {
-        let why = "Table 3.6 has no k_s for holes wider than oversize";
-        let (clause, step) =
-            ("EN 1993-1-8:2005 Table 3.6", "smaller holes (`parameters.hole_clearance`)");
-        let mut check = Check::undecided(Topic::Bolts, Subject::end(&a.end), clause, id, why, step);
-        if otherwise != Status::Failed {
-            check.status = Status::Warning;
-        }
-        return Some(check);
-    };
-    let mut worked = slip_resistance(hole, 1, e.mu, preload, axial.max(0.0) / bolts, gamma);
-    worked.id = id;
     let shear = Traced::force("V_Ed", vy.hypot(vz)) / Traced::number("n_b", bolts);
-    let demand = shear.value();
-    let worked = worked.after(Formula::new("", shear, Unit::Force));
-    Some(worked.against(Topic::Bolts, Subject::end(&a.end), demand, otherwise))
+    Preloaded::from(e).slip(a, axial.max(0.0) / bolts, Formula::new("", shear, Unit::Force))
+}
+
+impl Preloaded<'_> {
+    /// Slip of a bolt on one surface under a tension ≥ 0 \[N\] and a shear force. The check binds
+    /// where the spec names category B or C. Otherwise the joint need not resist slip, and
+    /// exceeding the resistance is a warning. `None` where nothing demands it.
+    ///
+    /// # Source
+    /// EN 1993-1-8:2005 3.4.1, Table 3.2, 3.9.
+    pub(crate) fn slip(&self, a: &PlaneActions, tension: f64, shear: Formula) -> Option<Check> {
+        let (id, otherwise) = demanded(self.category, a.state)?;
+        // with a category that must not slip, no friction means no resistance; without a category
+        // there is nothing to check
+        let preload = self.preload.filter(|_| self.mu > 0.0 || self.category.is_some())?;
+        let gamma = match a.state.is_ultimate() {
+            true => ("γ_M3", self.factors.gamma_m3),
+            false => ("γ_M3,ser", self.factors.gamma_m3_ser),
+        };
+        let Some(hole) = Clearance::of(self.bolt.0, self.hole).slip() else {
+            let why = "Table 3.6 has no k_s for holes wider than oversize";
+            let (clause, step) =
+                ("EN 1993-1-8:2005 Table 3.6", "smaller holes (`parameters.hole_clearance`)");
+            let end = Subject::end(&a.end);
+            let mut check = Check::undecided(Topic::Bolts, end, clause, id, why, step);
+            if otherwise != Status::Failed {
+                check.status = Status::Warning;
+            }
+            return Some(check);
+        };
+        let mut worked = slip_resistance(hole, 1, self.mu, preload, tension, gamma);
+        worked.id = id;
+        let demand = shear.value;
+        let worked = worked.after(shear);
+        Some(worked.against(Topic::Bolts, Subject::end(&a.end), demand, otherwise))
+    }
 }
 
 /// Slip factor of class A, EN 1993-1-8:2005 Table 3.7.
@@ -70,11 +104,19 @@ const HIGHEST_CLASS: f64 = 0.5;
 
 /// Kind of the holes, preloaded assemblies, and the load cases that a category requires.
 pub(super) fn assembly(e: &EndPlate) -> Vec<Check> {
-    let subject = bolt(e);
     let mut out = holes(e);
+    out.extend(assemblies(&e.into(), &e.actions));
+    out
+}
+
+/// Preloaded assemblies, and the load cases that a category requires.
+pub(crate) fn assemblies(e: &Preloaded<'_>, actions: &[PlaneActions]) -> Vec<Check> {
+    let (size, grade) = e.bolt;
+    let subject = Place::bolt(size, grade);
+    let mut out = Vec::new();
     if e.category == Some(BoltCategory::B)
-        && !e.actions.is_empty()
-        && e.actions.iter().all(|a| a.state.is_ultimate())
+        && !actions.is_empty()
+        && actions.iter().all(|a| a.state.is_ultimate())
     {
         let id = CheckId::SlipNoCase;
         let why = "the spec has no load case of serviceability";
@@ -90,15 +132,15 @@ pub(super) fn assembly(e: &EndPlate) -> Vec<Check> {
         let check = worked.information(Topic::Bolts, subject.clone());
         out.push(Check { status: Status::Warning, ..check });
     }
-    if e.bolt.system == "ISO 4014" {
+    if size.system == "ISO 4014" {
         let id = CheckId::PreloadedAssemblies;
         let clause = "EN 1993-1-8:2005 3.1.2(1), 1.2.4";
         let worked = Worked::of(clause, id, "F_p", Traced::force("F_p", force), Unit::Force)
-            .after(say!("{} is of {}", &e.bolt.size, &e.bolt.standard));
+            .after(say!("{} is of {}", &size.size, &size.standard));
         let check = worked.information(Topic::Bolts, subject.clone());
         out.push(Check { status: Status::Warning, ..check });
     }
-    let full = preload(&e.bolt, &e.grade);
+    let full = preload(size, grade);
     if e.category.is_some_and(|c| matches!(c, BoltCategory::B | BoltCategory::C))
         && !within(force, full.value)
     {

@@ -35,9 +35,9 @@ pub enum Hole {
 pub struct Bearing {
     /// Position along the force.
     pub along: Along,
-    /// Edge distance across the force \[mm\].
+    /// Edge distance across the force \[mm\]; infinite: there is no edge.
     pub e2: f64,
-    /// Pitch across the force to the next column of bolts \[mm\].
+    /// Pitch across the force to the next column of bolts \[mm\]; infinite: there is none.
     pub p2: f64,
     /// Kind of hole.
     pub hole: Hole,
@@ -75,7 +75,10 @@ impl Bearing {
         let alpha_b = alpha_d.clone().min(strengths).min(n(1.0)).named("α_b", Unit::Number);
         let edge = n(2.8) * Traced::length("e2", self.e2) / d0() - n(1.7);
         let inner = n(1.4) * Traced::length("p2", self.p2) / d0() - n(1.7);
-        let k1 = edge.min(inner).min(n(2.5)).named("k1", Unit::Number);
+        // a distance that does not exist stays out of the formula
+        let finite = |term: Traced| Some(term).filter(|term| term.value().is_finite());
+        let least = [edge, inner].into_iter().filter_map(finite).reduce(Number::min);
+        let k1 = least.map_or(n(2.5), |least| least.min(n(2.5))).named("k1", Unit::Number);
         let factors = match self.hole {
             Hole::Normal => k1.clone(),
             Hole::Oversize => Traced::number("β", 0.8) * k1.clone(),
@@ -88,5 +91,17 @@ impl Bearing {
         let id = CheckId::BearingResistance;
         Worked::of("EN 1993-1-8:2005 Table 3.4", id, "F_b,Rd", value, Unit::Force)
             .with_symbols([&alpha_d, &alpha_b, &k1])
+    }
+
+    /// Greatest bearing resistance of a single lap joint with one bolt row \[N\], `1.5 f_u d t/γ_M2`.
+    ///
+    /// # Source
+    /// EN 1993-1-8:2005 3.6.1(10), formula 3.2: with washers under head and nut.
+    pub fn of_one_row(&self, gamma_m2: f64) -> Worked {
+        let [d, t] = [("d", self.d), ("t", self.thickness)].map(|(s, v)| Traced::length(s, v));
+        let gamma = Traced::number("γ_M2", gamma_m2);
+        let value = Traced::from(1.5) * Traced::stress("f_u", self.fu) * d * t / gamma;
+        let id = CheckId::BearingResistance;
+        Worked::of("EN 1993-1-8:2005 3.6.1(10)", id, "F_b,Rd", value, Unit::Force)
     }
 }

@@ -1,5 +1,6 @@
 //! Tension and shear of single bolts: EN 1993-1-8:2005 Table 3.4.
 
+use super::holes::shear_factor;
 use crate::check::{CheckId, within};
 use crate::formula::{Number, Traced};
 use crate::unit::Unit;
@@ -76,6 +77,33 @@ pub fn shear_resistance(bolt: &BoltSize, grade: &BoltGrade, gamma_m2: f64) -> Wo
     let id = CheckId::BoltShearResistance;
     Worked::of("EN 1993-1-8:2005 Table 3.4", id, "F_v,Rd", value, Unit::Force)
         .with_symbols([&alpha_v, &a_s])
+}
+
+/// [`f_v_rd`] of a bolt of a joint, reduced for a long joint and for 2 mm clearance of small bolts;
+/// `hole` diameter, `length` L_j between the end bolts in the direction of the force \[mm\].
+///
+/// # Source
+/// EN 1993-1-8:2005 Table 3.4, 3.8(1), 3.6.1(5).
+pub fn shear_in_joint(
+    (bolt, grade): (&BoltSize, &BoltGrade),
+    hole: f64,
+    length: f64,
+    gamma_m2: f64,
+) -> Worked {
+    let mut worked = shear_resistance(bolt, grade, gamma_m2);
+    let whole = worked.traced();
+    let mut reduced = whole.clone();
+    let long = long_joint(length, bolt.d);
+    let small = shear_factor(bolt, grade, hole);
+    if small < 1.0 {
+        worked = worked.then("small bolts in holes wider than normal (3.6.1(5))");
+        reduced = Traced::from(small) * reduced;
+    }
+    if long.value < 1.0 {
+        reduced = reduced * long.traced();
+        worked.derivation = worked.derivation.followed_by(long.derivation);
+    }
+    if reduced == whole { worked } else { worked.becomes("F_v,Rd,red", reduced) }
 }
 
 /// f_yb and f_ub of the grades 4.6 to 10.9 \[MPa\], EN 1993-1-8:2005 Table 3.1.
