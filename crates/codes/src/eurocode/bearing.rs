@@ -93,7 +93,8 @@ impl Bearing {
             .with_symbols([&alpha_d, &alpha_b, &k1])
     }
 
-    /// Greatest bearing resistance of a single lap joint with one bolt row \[N\], `1.5 f_u d t/γ_M2`.
+    /// Greatest bearing resistance of a single lap joint with one bolt row \[N\],
+    /// `1.5 f_u d t/γ_M2`.
     ///
     /// # Source
     /// EN 1993-1-8:2005 3.6.1(10), formula 3.2: with washers under head and nut.

@@ -211,8 +211,8 @@ impl Ply<'_> {
         self.least(e, (self.e2, pitches(&e.columns)), (self.e1, pitches(&e.rows)), hole)
     }
 
-    /// Bearing resistance of all bolts under a vertical force \[N\]: the sum over end and inner rows
-    /// where each bolt carries more in shear, else the least of them for all.
+    /// Bearing resistance of all bolts under a vertical force \[N\]: the sum over end and inner
+    /// rows where each bolt carries more in shear, else the least of them for all.
     ///
     /// # Source
     /// EN 1993-1-8:2005 3.7(1).

@@ -36,8 +36,8 @@ pub(super) fn punching(e: &SimpleJoint) -> Option<Check> {
 /// Local shear of the web that a fin plate stands on, on either side of it; tension of the support.
 ///
 /// # Source
-/// Steel Buildings in Europe, Part 5, 3.2.9: `V_Ed/2 ≤ h_p t_w f_y/(√3 γ_M0)`, beside a plate on one
-/// side of the web. EN 1993-1-8:2005 6.2.6.3, without spread of the force, for the web of a column
+/// Steel Buildings in Europe, Part 5, 3.2.9: `V_Ed/2 ≤ h_p t_w f_y/(√3 γ_M0)`, beside a plate on
+/// one side of the web. EN 1993-1-8:2005 6.2.6.3, without spread of the force, for the web of a column
 /// behind its flange.
 pub(super) fn under_load(e: &SimpleJoint, a: &PlaneActions) -> Vec<Check> {
     let [axial, _, vz] = a.at(1.0)[0];

@@ -30,7 +30,11 @@ fn stronger(e: &SimpleJoint, way: usize) -> SimpleJoint {
         0 => out.thickness *= 1.1,
         1 => out.throat *= 1.1,
         2 => out.grade.fub *= 1.1,
-        3 => out.beam.tw *= 1.1,
+        3 => {
+            let web = out.beam.h - 2.0 * out.beam.tf;
+            out.beam.area += 0.01 * web * 0.1 * out.beam.tw;
+            out.beam.tw *= 1.1;
+        }
         4 => out.support.section.tw *= 1.1,
         _ => out.bolt.stress_area *= 1.1,
     }
@@ -40,13 +44,13 @@ fn stronger(e: &SimpleJoint, way: usize) -> SimpleJoint {
 #[test]
 fn a_stronger_part_never_raises_a_utilisation() {
     for kind in KINDS {
-        for seed in 1000..1120 {
+        for seed in 1000..1060 {
             let e = random(kind, &mut Dice::new(seed));
             for way in 0..6 {
                 let after = stronger(&e, way);
                 for (id, before) in used(&e) {
-                    // a thicker plate makes a T-stub stiffer, and a wider web or weld a shorter arm m
-                    // with a shorter effective length: prying may grow
+                    // a thicker plate makes a T-stub stiffer, a wider web or weld its arm m
+                    // and its effective length shorter: prying may grow
                     let prying = matches!(id, CheckId::BoltShearAndTension | CheckId::TStub);
                     if prying && [0, 1, 3].contains(&way) || id == CheckId::PlateBending && way == 0
                     {
@@ -66,7 +70,7 @@ fn a_stronger_part_never_raises_a_utilisation() {
 #[test]
 fn a_larger_force_uses_more() {
     for kind in KINDS {
-        for seed in 2000..2100 {
+        for seed in 2000..2060 {
             let e = random(kind, &mut Dice::new(seed));
             let mut more = e.clone();
             for part in more.actions[0].live.iter_mut().flatten() {
@@ -84,7 +88,7 @@ fn a_larger_force_uses_more() {
 #[test]
 fn upside_down_is_the_same() {
     for kind in KINDS {
-        for seed in 3000..3100 {
+        for seed in 3000..3060 {
             let e = random(kind, &mut Dice::new(seed));
             let mut turned = e.clone();
             (turned.top, turned.bottom) = (-e.bottom, -e.top);
@@ -167,8 +171,8 @@ fn serviceability_checks_slip_alone() {
     }
 }
 
-/// The web that a fin plate stands on: t_p ≤ t_w f_u/(f_y,p γ_M2) suffices, and proves nothing where
-/// it is not met.
+/// The web that a fin plate stands on: t_p ≤ t_w f_u/(f_y,p γ_M2) suffices, and proves nothing
+/// where it is not met.
 #[test]
 fn a_thick_fin_plate_on_a_thin_web_stays_undecided() {
     let mut e = under(fin_plate(), [0.0, -100.0, -8.0]);
@@ -245,4 +249,19 @@ fn bindings() {
         assert_eq!(one(&checks, id, part).binding, binding, "{id:?}");
     }
     assert_eq!(found(&checks, CheckId::WebAtPlate, Part::BeamWeb).len(), 0);
+}
+
+/// h_w/t_w = 515.6/7 = 73.7 is more than 72 ε = 66.6 of S275: shear buckling binds as stability.
+#[test]
+fn a_slender_web_may_buckle_in_shear() {
+    let mut e = under(fin_plate(), [0.0, -100.0, -8.0]);
+    let buckling = |e: &SimpleJoint| {
+        let checks = simple_checks(e).checks;
+        found(&checks, CheckId::BeamShearBuckling, Part::BeamWeb).first().and_then(|c| c.resistance)
+    };
+    assert_eq!(buckling(&e), None);
+    e.beam.tw = 7.0;
+    let lambda = 515.6 / (86.4 * 7.0 * (235.0f64 / 275.0).sqrt());
+    let want = 0.83 / lambda * 515.6 * 7.0 * 275.0 / 3f64.sqrt();
+    assert!((buckling(&e).expect("a slender web") / want - 1.0).abs() < 1e-9);
 }

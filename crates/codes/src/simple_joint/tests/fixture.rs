@@ -83,8 +83,8 @@ pub fn fin_plate() -> SimpleJoint {
     }
 }
 
-/// The plate of the worked example 2.4 of Steel Buildings in Europe, Part 5, on the same beam: 430 ×
-/// 200 × 12 in S275, 6 × 2 M20 8.8, p1 70, e1 40, e2 30; p3 and the throat so that m = 59.
+/// The plate of the worked example 2.4 of Steel Buildings in Europe, Part 5, on the same beam: 430
+/// × 200 × 12 in S275, 6 × 2 M20 8.8, p1 70, e1 40, e2 30; p3 and the throat so that m = 59.
 pub fn header_plate() -> SimpleJoint {
     let fin = fin_plate();
     let first = 0.5 * fin.beam.h - 90.0;
