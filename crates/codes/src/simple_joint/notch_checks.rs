@@ -120,7 +120,7 @@ fn at_cut(e: &SimpleJoint, a: &PlaneActions, cut: &Cut) -> Option<Check> {
 /// notch, with the yield strength up to which they hold \[MPa\].
 ///
 /// # Source
-/// Steel Buildings in Europe, Part 5, 2.2.3 and 3.2.7, for S275 and S355. A weaker steel reaches
+/// Steel Buildings in Europe, Part 5, 2.2.3 and 4.2.5, for S275 and S355. A weaker steel reaches
 /// its own yield strength with less slenderness, so that the limits of the stronger one hold for
 /// it.
 const SLENDERNESS: [(f64, f64, f64); 2] = [(275.0, 54.3, 160_000.0), (355.0, 48.0, 110_000.0)];
@@ -129,11 +129,11 @@ const SLENDERNESS: [(f64, f64, f64); 2] = [(275.0, 54.3, 160_000.0), (355.0, 48.
 /// not proved unstable: it stays undecided.
 ///
 /// # Source
-/// Steel Buildings in Europe, Part 5, 2.2.3 and 3.2.7, for beams restrained against lateral
+/// Steel Buildings in Europe, Part 5, 2.2.3 and 4.2.5, for beams restrained against lateral
 /// torsional buckling.
 pub(super) fn stability(e: &SimpleJoint) -> Vec<Check> {
     let there: Vec<_> = e.notches.iter().filter(|n| n.depth > 0.0 && n.length > 0.0).collect();
-    let clause = "Steel Buildings in Europe 5, 2.2.3, 3.2.7";
+    let clause = "Steel Buildings in Europe 5, 2.2.3, 4.2.5";
     let step = "a shorter or lower notch, a stiffener, or a check of the notch for buckling";
     let of = || (Topic::Stability, Part::BeamWeb);
     let Some(depth) = there.iter().map(|n| n.depth).reduce(f64::max) else { return Vec::new() };

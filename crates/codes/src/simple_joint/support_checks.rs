@@ -19,7 +19,7 @@ fn on_web(e: &SimpleJoint) -> bool {
 /// `t_p ≤ t_w f_u/(f_y,p γ_M2)`.
 ///
 /// # Source
-/// NCCI SN017, 14; Steel Buildings in Europe, Part 5, 3.2.9. The column flange has no such mode.
+/// NCCI SN017, 14; Steelwork Building 15.2.3 f. The column flange has no such mode.
 pub(super) fn punching(e: &SimpleJoint) -> Option<Check> {
     (e.kind == SimpleKind::FinPlate && on_web(e)).then(|| {
         let ratio = Traced::stress("f_u", e.support.steel.fu.mpa())
@@ -36,9 +36,9 @@ pub(super) fn punching(e: &SimpleJoint) -> Option<Check> {
 /// Local shear of the web that a fin plate stands on, on either side of it; tension of the support.
 ///
 /// # Source
-/// Steel Buildings in Europe, Part 5, 3.2.9: `V_Ed/2 ≤ h_p t_w f_y/(√3 γ_M0)`, beside a plate on
-/// one side of the web. EN 1993-1-8:2005 6.2.6.3, without spread of the force, for the web of a column
-/// behind its flange.
+/// Steel Buildings in Europe, Part 5, 3.2, and SCI P358: `V_Ed/2 ≤ h_p t_w f_y/(√3 γ_M0)`, beside a
+/// plate on one side of the web. EN 1993-1-8:2005 6.2.6.3, without spread of the force, for the web
+/// of a column behind its flange.
 pub(super) fn under_load(e: &SimpleJoint, a: &PlaneActions) -> Vec<Check> {
     let [axial, _, vz] = a.at(1.0)[0];
     let place = |part: Part| Subject::end(&a.end).and(part);
@@ -49,7 +49,7 @@ pub(super) fn under_load(e: &SimpleJoint, a: &PlaneActions) -> Vec<Check> {
     if e.kind == SimpleKind::FinPlate && on_web(e) && vz != 0.0 {
         let faces = Traced::from(2.0) * area(e.support.thickness());
         let value = plastic_shear(faces, f_y(), gamma());
-        let (clause, id) = ("Steel Buildings in Europe 5, 3.2.9", CheckId::SupportShear);
+        let (clause, id) = ("Steel Buildings in Europe 5, 3.2; SCI P358", CheckId::SupportShear);
         let worked = Worked::of(clause, id, "V_Rd", value, Unit::Force);
         let part = place(support_part(e));
         out.push(worked.against(Topic::Member, part, vz.abs(), Status::Failed).of_strength());

@@ -58,8 +58,7 @@ fn length(e: &SimpleJoint) -> Formula {
 /// Full strength is a recommendation: the joint turns, and its welds shall not be its weakest part.
 ///
 /// # Source
-/// EN 1993-1-8:2005 4.5.1(2), 4.5.2(2), 4.5.3.2(6); Steel Buildings in Europe, Part 5, 2.2.6 and
-/// 3.2.8.
+/// EN 1993-1-8:2005 4.5.1(2), 4.5.2(2), 4.5.3.2(6); Steel Buildings in Europe, Part 5, 2.2.6.
 pub(super) fn sizes(e: &SimpleJoint) -> Vec<Check> {
     if e.throat == 0.0 {
         return Vec::new();
