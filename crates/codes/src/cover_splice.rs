@@ -23,7 +23,7 @@ mod web_checks;
 mod web_group;
 mod web_share;
 
-use crate::end_plate::{HandChecks, excluded_class, not_checked, unseen_loads};
+use crate::end_plate::{HandChecks, not_checked, of_any_joint, unseen_loads};
 use bracket_joint::assembly::CoverSplice;
 
 /// All hand checks of a cover-plate splice.
@@ -33,8 +33,7 @@ pub fn splice_checks(e: &CoverSplice) -> HandChecks {
     out.checks.extend(slip_checks::assembly(e));
     out.checks.extend(assumptions::outside_range(e));
     out.checks.extend(assumptions::assumptions(e));
-    out.checks.extend(assumptions::annex(e));
-    out.checks.extend(excluded_class(e.annex.as_deref(), &e.grade));
+    out.checks.extend(of_any_joint(e.annex.as_deref(), e.fy_source, &e.grade, &[]));
     out.checks.extend(unseen_loads(&e.unseen));
     out.checks.extend(not_checked(&e.not_checked));
     let service = e.actions.iter().filter(|a| !a.state.is_ultimate());

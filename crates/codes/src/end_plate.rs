@@ -58,11 +58,13 @@ pub use parts_list::{PartItem, PartSize, parts_list, total_mass};
 pub use welds_list::{WeldItem, welds_list};
 
 // what the checks of other families share
-pub(crate) use assumptions::{not_checked, unseen_loads};
+pub(crate) use assumptions::{not_checked, unseen_loads, without_strength};
+pub(crate) use beam_checks::beyond_a_beam;
 pub(crate) use hole_checks::kind_of_holes;
-pub(crate) use national_annex::excluded_class;
+pub(crate) use national_annex::of_any_joint;
 pub(crate) use outside_range::{Piece, beyond};
 pub(crate) use slip_checks::Preloaded;
+pub(crate) use tying::GAMMA_MU;
 
 use bracket_joint::assembly::EndPlate;
 use rotation_rules::RotationRules;

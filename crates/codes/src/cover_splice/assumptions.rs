@@ -3,7 +3,7 @@
 use crate::check::{Check, CheckId, Topic};
 use crate::end_plate::{Piece, beyond};
 use crate::formula::Derivation;
-use crate::subject::{Part, Place};
+use crate::subject::Part;
 use bracket_joint::assembly::{CoverSplice, SplicedMember};
 
 /// How the parts share the actions.
@@ -48,14 +48,4 @@ pub(super) fn outside_range(e: &CoverSplice) -> Vec<Check> {
         parts.push(piece(Part::SplicedWeb, tw, &m.web_steel));
     }
     beyond(&parts, &e.bolt, &e.grade, e.hole)
-}
-
-/// What a national annex changes and the checks leave out.
-pub(super) fn annex(e: &CoverSplice) -> Option<Check> {
-    let name = e.annex.as_ref()?;
-    let words = "of the annex the partial factors and the excluded bolt classes are used and \
-                 nothing else; its γ_M2 of net sections, where it has one, is not covered";
-    let id = CheckId::AnnexNotCovered;
-    let place = Place::Annex(name.clone());
-    Some(Check::assumption(Topic::Detailing, place, "national annex", id, words))
 }

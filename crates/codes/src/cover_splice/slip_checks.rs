@@ -5,7 +5,7 @@ use super::flange_share::FlangeForces;
 use super::ply::hole_kind;
 use super::side::{Side, flange_part};
 use super::web_share::WebForces;
-use crate::check::{Check, Topic, largest};
+use crate::check::{Check, largest};
 use crate::end_plate::{Preloaded, kind_of_holes};
 use crate::subject::{Part, Subject};
 use bracket_joint::assembly::{CoverSplice, PlaneActions, Way};
@@ -27,8 +27,7 @@ fn preloaded(e: &CoverSplice) -> Preloaded<'_> {
 
 /// Kind of the holes, preloaded assemblies, and the load cases that a category requires.
 pub(super) fn assembly(e: &CoverSplice) -> Vec<Check> {
-    let holes = kind_of_holes(&e.bolt, e.hole, hole_kind(e));
-    let holes = holes.map(|worked| worked.information(Topic::Detailing, Part::Holes));
+    let holes = kind_of_holes(&e.bolt, e.hole, hole_kind(e), None);
     let mut out: Vec<Check> = holes.into_iter().collect();
     out.extend(preloaded(e).assembly(e.actions.iter().map(|a| a.state)));
     out

@@ -6,6 +6,7 @@ use crate::subject::{Part, Place};
 use bracket_base::say;
 use bracket_base::words::Text;
 use bracket_joint::assembly::{EndPlate, NotChecked, UnseenLoad};
+use bracket_joint::strength::Strength;
 
 /// Loads that the checks leave out.
 pub(crate) fn unseen_loads(unseen: &[UnseenLoad]) -> Vec<Check> {
@@ -51,17 +52,18 @@ pub(super) fn no_weld_strength(e: &EndPlate) -> Vec<Check> {
         .into_iter()
         .chain([beam])
         .filter(|(throat, steel, _)| *throat > 0.0 && steel.beta_w.is_none());
-    without
-        .map(|(_, steel, part)| {
-            let (clause, id) = ("EN 1993-1-8:2005 Table 4.1", CheckId::WeldStrength);
-            let why = say!(
-                "Table 4.1 has no β_w for {}: its fillet welds have no strength by this code",
-                &steel.grade
-            );
-            let step = "butt welds, or a row with β_w in a table of your own (`catalog`)";
-            Check::undecided(Topic::Welds, part, clause, id, why, step)
-        })
-        .collect()
+    without.map(|(_, steel, part)| without_strength(part, steel)).collect()
+}
+
+/// The check of the fillet welds of a part of a steel without β_w.
+pub(crate) fn without_strength(part: Part, steel: &Strength) -> Check {
+    let (clause, id) = ("EN 1993-1-8:2005 Table 4.1", CheckId::WeldStrength);
+    let why = say!(
+        "Table 4.1 has no β_w for {}: its fillet welds have no strength by this code",
+        &steel.grade
+    );
+    let step = "butt welds, or a row with β_w in a table of your own (`catalog`)";
+    Check::undecided(Topic::Welds, part, clause, id, why, step)
 }
 
 /// Ids of the checks of bolts under load.

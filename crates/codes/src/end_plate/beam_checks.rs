@@ -10,6 +10,8 @@ use crate::worked::Worked;
 use bracket_base::say;
 use bracket_base::words::Text;
 use bracket_joint::assembly::{EndPlate, PlaneActions};
+use bracket_joint::catalog::IProfile;
+use bracket_joint::strength::Strength;
 
 /// Shear, axial force and moment of the beam at the bolt plane. They bind: a beam that cannot carry
 /// these forces cannot load the joint with them.
@@ -248,14 +250,23 @@ fn twisted(
 /// Note on actions that exceed the resistance of the beam itself: most likely a wrong number or
 /// unit.
 pub(super) fn beyond_the_beam(e: &EndPlate, a: &PlaneActions) -> Option<Text> {
+    beyond_a_beam((&e.beam, &e.beam_steel), e.factors.gamma_m0, a)
+}
+
+/// The same for a beam with its steel.
+pub(crate) fn beyond_a_beam(
+    (beam, steel): (&IProfile, &Strength),
+    gamma_m0: f64,
+    a: &PlaneActions,
+) -> Option<Text> {
     let [[axial, vy, vz], [_, my, _]] = a.at(1.0);
-    let section = Section::from(&e.beam);
-    let fyd = yield_strength(e.beam_steel.fy, e.factors.gamma_m0).mpa();
+    let section = Section::from(beam);
+    let fyd = yield_strength(steel.fy, gamma_m0).mpa();
     let moment = (my.abs(), section.w_pl * fyd, "My", "M_pl,Rd", Unit::Moment);
     let normal = (axial.abs(), section.area * fyd, "N", "N_pl,Rd", Unit::Force);
     let shear = (
         vy.hypot(vz),
-        plastic_shear(section.shear_area(), e.beam_steel.fy.mpa(), e.factors.gamma_m0),
+        plastic_shear(section.shear_area(), steel.fy.mpa(), gamma_m0),
         "V",
         "V_pl,Rd",
         Unit::Force,
@@ -271,7 +282,7 @@ pub(super) fn beyond_the_beam(e: &EndPlate, a: &PlaneActions) -> Option<Text> {
             n(demand / capacity),
             resistance,
             unit.show(capacity),
-            &e.beam.name
+            &beam.name
         )
     })
 }

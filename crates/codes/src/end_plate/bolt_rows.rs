@@ -5,7 +5,7 @@ use bracket_joint::assembly::EndPlate;
 
 /// The bolts, as a check names them.
 pub(super) fn bolt(e: &EndPlate) -> Place {
-    Place::Bolt { size: e.bolt.size.clone(), grade: e.grade.grade.clone() }
+    Place::bolt(&e.bolt, &e.grade)
 }
 
 /// z of the rows, from the top.

@@ -13,26 +13,19 @@ use bracket_joint::catalog::BoltSize;
 
 /// Kind of the holes with its factors.
 pub(super) fn holes(e: &EndPlate) -> Vec<Check> {
-    let as_bearing = for_bearing(e, DOWN);
-    let Some(mut worked) = kind_of_holes(&e.bolt, e.hole, as_bearing) else { return Vec::new() };
-    if Clearance::of(&e.bolt, e.hole) == Clearance::Small {
-        let (shear, bearing) = (shear_of_all(e, DOWN), group_bearing(e, Hole::Normal, DOWN));
-        worked = worked.after(say!(
-            "group in bearing {}, in shear {}: {} (3.6.1(5))",
-            Unit::Force.show(bearing),
-            Unit::Force.show(shear),
-            match as_bearing == Hole::Oversize {
-                true => "bearing would govern, so that the holes count as oversize",
-                false => "bearing does not govern",
-            }
-        ));
-    }
-    vec![worked.information(Topic::Detailing, Part::Holes)]
+    let group = [shear_of_all(e, DOWN), group_bearing(e, Hole::Normal, DOWN)];
+    kind_of_holes(&e.bolt, e.hole, for_bearing(e, DOWN), Some(group)).into_iter().collect()
 }
 
-/// The clearance of holes of a diameter \[mm\] with the factors of their kind; `bearing` is the
-/// kind for which the checks of bearing take them. `None` for holes that the code does not have.
-pub(crate) fn kind_of_holes(b: &BoltSize, hole: f64, bearing: Hole) -> Option<Worked> {
+/// Kind of the holes of a diameter \[mm\] with its factors; `bearing`: the kind that bearing takes,
+/// `group` its resistances in shear and, in normal holes, in bearing \[N\], which decide about small
+/// bolts. `None` for holes that the code does not have.
+pub(crate) fn kind_of_holes(
+    b: &BoltSize,
+    hole: f64,
+    bearing: Hole,
+    group: Option<[f64; 2]>,
+) -> Option<Check> {
     let kind = Clearance::of(b, hole);
     let slip = kind.slip()?;
     let (id, part) = match (kind, bearing) {
@@ -50,5 +43,17 @@ pub(crate) fn kind_of_holes(b: &BoltSize, hole: f64, bearing: Hole) -> Option<Wo
         n(slip.ks())
     );
     let clearance = Traced::length("d0", hole) - Traced::length("d", b.d);
-    Some(Worked::of(CLEARANCES, id, "", clearance, Unit::Length).after(words))
+    let mut worked = Worked::of(CLEARANCES, id, "", clearance, Unit::Length).after(words);
+    if let (Clearance::Small, Some([shear, normal])) = (kind, group) {
+        worked = worked.after(say!(
+            "group in bearing {}, in shear {}: {} (3.6.1(5))",
+            Unit::Force.show(normal),
+            Unit::Force.show(shear),
+            match part < 1.0 {
+                true => "bearing would govern, so that the holes count as oversize",
+                false => "bearing does not govern",
+            }
+        ));
+    }
+    Some(worked.information(Topic::Detailing, Part::Holes))
 }

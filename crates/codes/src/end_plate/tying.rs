@@ -12,7 +12,7 @@ use crate::worked::Worked;
 use bracket_joint::assembly::EndPlate;
 
 /// γ_Mu of tying resistances in SCI P358.
-const GAMMA_MU: f64 = 1.1;
+pub(crate) const GAMMA_MU: f64 = 1.1;
 
 /// Tying resistance: sum of the rows under a tension along the beam, with ultimate strengths and
 /// γ_Mu, at most that of the beam's area; `None` where the component method does not cover the

@@ -1,6 +1,7 @@
 //! Effective lengths of fillet welds: one rule for all welds, by `welds.ends` of the spec.
 
 use crate::check::{Check, CheckId, Topic, Unit};
+use crate::eurocode::welds::effective_run;
 use crate::formula::{Formula, Number, Traced};
 use crate::subject::Part;
 use bracket_joint::assembly::EndPlate;
@@ -11,16 +12,9 @@ fn effective(length: Traced) -> Formula {
     Formula::new("l_eff", length, Unit::Length)
 }
 
-/// A single run of a weld, `length` long \[mm\], with its throat \[mm\].
-///
-/// # Source
-/// EN 1993-1-8:2005 4.5.1(1): l − 2 a, or l where the weld is full-size up to its ends.
+/// A single run of a weld, `length` long \[mm\], with its throat \[mm\]; see [`effective_run`].
 pub(super) fn run(e: &EndPlate, length: f64, throat: f64) -> Formula {
-    let l = Traced::length("l", length);
-    effective(match e.welds.ends {
-        WeldEnds::AllRound => l,
-        WeldEnds::Returned | WeldEnds::Open => l - Traced::from(2.0) * Traced::length("a", throat),
-    })
+    effective_run(e.welds.ends, length, throat)
 }
 
 /// The welds of one flange of the beam: outside along its width, inside up to the root fillets.

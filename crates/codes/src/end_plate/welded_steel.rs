@@ -5,22 +5,16 @@ use crate::eurocode::welds::WeldedSteel;
 use crate::formula::{Line, Relation, Traced};
 use crate::worked::Worked;
 use bracket_joint::assembly::{ColumnSide, EndPlate};
-use bracket_joint::strength::{Strength, WeldSteel};
 
 /// Steel of the welds between beam and end plate: the weaker of the parts joined. `None` for grades
 /// without β_w, for which the code has no fillet welds.
 pub(super) fn of_the_beam(e: &EndPlate) -> Option<WeldedSteel> {
-    of(e.beam_steel.weaker(&e.plate_steel), e)
+    WeldedSteel::of(e.beam_steel.weaker(&e.plate_steel), e.factors.gamma_m2)
 }
 
 /// Steel of the welds on the column.
 pub(super) fn of_the_column(e: &EndPlate, c: &ColumnSide) -> Option<WeldedSteel> {
-    of(&c.steel, e)
-}
-
-fn of(steel: &Strength, e: &EndPlate) -> Option<WeldedSteel> {
-    let WeldSteel { fu, beta_w } = steel.of_welds()?;
-    Some(WeldedSteel { fu, beta_w, gamma_m2: e.factors.gamma_m2 })
+    WeldedSteel::of(&c.steel, e.factors.gamma_m2)
 }
 
 /// The throat of full strength, written out; `full` is that of

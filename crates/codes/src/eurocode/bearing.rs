@@ -94,4 +94,17 @@ impl Bearing {
         Worked::of("EN 1993-1-8:2005 Table 3.4", id, "F_b,Rd", value, Unit::Force)
             .with_symbols([&alpha_d, &alpha_b, &k1])
     }
+
+    /// Greatest bearing resistance of a single lap joint with one bolt row \[N\],
+    /// `1.5 f_u d t/γ_M2`.
+    ///
+    /// # Source
+    /// EN 1993-1-8:2005 3.6.1(10), formula 3.2: with washers under head and nut.
+    pub fn of_one_row(&self, gamma_m2: f64) -> Worked {
+        let [d, t] = [("d", self.d), ("t", self.thickness)].map(|(s, v)| Traced::length(s, v));
+        let gamma = Traced::number("γ_M2", gamma_m2);
+        let value = Traced::from(1.5) * Traced::stress("f_u", self.fu) * d * t / gamma;
+        let id = CheckId::BearingResistance;
+        Worked::of("EN 1993-1-8:2005 3.6.1(10)", id, "F_b,Rd", value, Unit::Force)
+    }
 }

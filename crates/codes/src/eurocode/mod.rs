@@ -3,6 +3,7 @@
 
 pub mod bearing;
 pub mod block_tearing;
+pub mod bolt_group;
 pub mod bolt_length;
 pub mod bolts;
 pub mod column_curve;
@@ -11,7 +12,9 @@ pub mod holes;
 pub mod i_section;
 pub mod interaction;
 pub mod net_section;
+pub mod notched_section;
 pub mod plate_buckling;
+pub mod plate_section;
 pub mod punching;
 pub mod section;
 pub mod slip;

@@ -5,7 +5,8 @@ use crate::formula::{Derivation, Formula, Number, Traced};
 use crate::subject::Part;
 use crate::unit::Unit;
 use crate::worked::Worked;
-use bracket_joint::strength::{Design, Nominal, WeldSteel};
+use bracket_joint::spec::welds::WeldEnds;
+use bracket_joint::strength::{Design, Nominal, Strength, WeldSteel};
 
 /// Least throat of a fillet weld \[mm\], EN 1993-1-8:2005 4.5.2(2).
 pub const LEAST_THROAT: f64 = 3.0;
@@ -179,6 +180,12 @@ pub fn shear_strength(steel: &WeldSteel, gamma_m2: f64) -> Design {
 }
 
 impl WeldedSteel {
+    /// What a steel gives its fillet welds; `None` for grades without β_w.
+    pub fn of(steel: &Strength, gamma_m2: f64) -> Option<Self> {
+        let WeldSteel { fu, beta_w } = steel.of_welds()?;
+        Some(Self { fu, beta_w, gamma_m2 })
+    }
+
     /// [`per_length`] of a throat.
     fn per_length(&self, throat: f64, n: f64) -> Traced {
         per_length(Traced::length("a", throat), n, self.f_u(), self.beta_w(), self.gamma_m2())
@@ -275,6 +282,20 @@ pub fn full_strength_throat(
         / (Traced::from(2.0).sqrt() * steel.f_u());
     let id = CheckId::ThroatFullStrength;
     Worked::of("EN 1993-1-8:2005 4.5.3.2(6)", id, "a", value, Unit::Length)
+}
+
+/// Effective length of a single run of a fillet weld \[mm\], `length` long, with its `throat`
+/// \[mm\]; negative where the run is shorter than its ends.
+///
+/// # Source
+/// EN 1993-1-8:2005 4.5.1(1): l − 2 a, or l where the weld is full-size up to its ends.
+pub fn effective_run(ends: WeldEnds, length: f64, throat: f64) -> Formula {
+    let l = Traced::length("l", length);
+    let effective = match ends {
+        WeldEnds::AllRound => l,
+        WeldEnds::Returned | WeldEnds::Open => l - Traced::from(2.0) * Traced::length("a", throat),
+    };
+    Formula::new("l_eff", effective, Unit::Length)
 }
 
 /// Least throat and least effective length of a fillet weld.

@@ -10,6 +10,10 @@ pub enum Part {
     Joint,
     /// The end plate.
     EndPlate,
+    /// The fin plate of a simple joint.
+    FinPlate,
+    /// The header plate of a simple joint.
+    HeaderPlate,
     /// The beam as a member.
     Beam,
     /// A flange of the beam.
@@ -24,6 +28,8 @@ pub enum Part {
     ColumnFlange,
     /// The web of the column.
     ColumnWeb,
+    /// The web of the beam that supports a simple joint.
+    SupportingWeb,
     /// The web of the column between the flanges of the beam.
     Panel,
     /// One stiffener of the column.
@@ -82,6 +88,8 @@ impl Part {
         match self {
             Part::Joint => "joint",
             Part::EndPlate => "end plate",
+            Part::FinPlate => "fin plate",
+            Part::HeaderPlate => "header plate",
             Part::Beam => "beam",
             Part::BeamFlange => "beam flange",
             Part::BeamWeb => "beam web",
@@ -89,6 +97,7 @@ impl Part {
             Part::Column => "column",
             Part::ColumnFlange => "column flange",
             Part::ColumnWeb => "column web",
+            Part::SupportingWeb => "web of the supporting beam",
             Part::Panel => "column web panel",
             Part::Stiffener => "column stiffener",
             Part::Stiffeners => "column stiffeners",

@@ -7,6 +7,7 @@ use crate::unit::number as n;
 use bracket_base::display_text;
 use bracket_base::say;
 use bracket_base::words::Text;
+use bracket_joint::catalog::{BoltGrade, BoltSize};
 use serde::{Deserialize, Serialize};
 
 /// One entry of a subject.
@@ -74,6 +75,11 @@ fn heights(all: &[f64]) -> Text {
 }
 
 impl Place {
+    /// The bolts of a size and a grade.
+    pub fn bolt(size: &BoltSize, grade: &BoltGrade) -> Self {
+        Place::Bolt { size: size.size.clone(), grade: grade.grade.clone() }
+    }
+
     /// The place as a report prints it.
     pub fn text(&self) -> Text {
         match self {

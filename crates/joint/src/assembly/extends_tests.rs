@@ -73,7 +73,7 @@ starter_load: {name: TURN, end: right, at: node}
     assert_eq!((t.members[0].profile.as_str(), t.members[0].steel.as_str()), ("IPE400", "S235"));
     let Check { that, say, .. } = &t.checks[0];
     assert_eq!((that.text(), say.as_str()), ("a <= b", "too small"));
-    let hand = t.hand_checks.expect("there");
+    let hand = t.hand_checks.as_ref().and_then(|h| h.end_plate()).expect("there");
     assert_eq!((hand.top.text(), hand.bottom.text()), ("2 * a", "-a"));
     // a load is replaced as a whole: no key of the base's load is merged in
     assert_eq!(t.starter_load.expect("there").section, None);
