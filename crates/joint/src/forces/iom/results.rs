@@ -14,8 +14,8 @@ use std::collections::BTreeMap;
 const ACTIONS: [(&str, f64); 6] =
     [("N", 1.0), ("Qy", -1.0), ("Qz", -1.0), ("Mx", 1e3), ("My", -1e3), ("Mz", 1e3)];
 
-/// Distance from a node, as a part of the length of the member, at which a section is the one beside
-/// the node: programs write 1e-6.
+/// Distance from a node, as a part of the length of the member, at which a section is the one
+/// beside the node: programs write 1e-6.
 const BESIDE: f64 = 1e-5;
 
 /// The same of a section that is at the node.

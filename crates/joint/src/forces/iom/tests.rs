@@ -134,8 +134,8 @@ fn a_cantilever() {
 }
 
 /// The same load to the side, 10 kN along −y: dMz/dx = Qy, so that `Qy` = P and `Mz` = −P L at the
-/// support. On the section there the member pulls the joint along −y: Vy = −P; the moment about z of
-/// this force at the tip is −P L.
+/// support. On the section there the member pulls the joint along −y: Vy = −P; the moment about z
+/// of this force at the tip is −P L.
 #[test]
 fn a_cantilever_about_the_weak_axis() {
     let sideways = section(0.0, LC1, [0.0, 10e3, 0.0, 0.0, 0.0, -20e3]);
