@@ -95,8 +95,9 @@ fn room_for_covers_washers_and_spanners_is_advice() {
     let one = |part: &str, id| vec![(String::from(part), id)];
     assert_eq!(more(|e| e.web.width = 407.0), []);
     assert_eq!(more(|e| e.web.width = 408.0), one("web covers", CheckId::CoverClearOfRoot));
-    // (108.5 − 8.5)/2 − 10 = 40 < 45
-    let narrow = more(|e| e.gauges = vec![108.5]);
+    // (118 − 8.5)/2 − 10 = 44.75 < 45
+    assert_eq!(more(|e| e.gauges = vec![118.5]), []);
+    let narrow = more(|e| e.gauges = vec![118.0]);
     assert_eq!(narrow, one("flange bolts", CheckId::SpannerClearance));
     // 214 − 170 = 44 < 45
     let high = more(|e| e.web_rows = vec![-120.0, 0.0, 170.0]);
