@@ -18,8 +18,8 @@ pub(super) fn holes(e: &EndPlate) -> Vec<Check> {
 }
 
 /// Kind of the holes of a diameter \[mm\] with its factors; `bearing`: the kind that bearing takes,
-/// `group` its resistances in shear and, in normal holes, in bearing \[N\], which decide about small
-/// bolts. `None` for holes that the code does not have.
+/// `group` its resistances in shear and, in normal holes, in bearing \[N\], which decide about
+/// small bolts. `None` for holes that the code does not have.
 pub(crate) fn kind_of_holes(
     b: &BoltSize,
     hole: f64,
