@@ -134,6 +134,9 @@ fn parameter(p: &Parameter) -> Value {
     schema
 }
 
+/// The entries of `hand_checks`, by family.
+const FAMILIES: [&str; 3] = ["EndPlateEntry", "SimpleJointEntry", "CoverSpliceEntry"];
+
 /// The schema of a template, or of a template that extends another one. In the latter every key
 /// except `extends` may be left out, and in the entries of lists every key except the name.
 fn with_extending(whole: Value) -> Value {
@@ -157,9 +160,10 @@ fn with_extending(whole: Value) -> Value {
             property["items"] = json!({"anyOf": [{"const": REST}, {"$ref": entry}]});
         }
     }
-    let hand_checks = "#/definitions/EndPlateEntry";
-    extending["properties"]["hand_checks"] =
-        json!({"$ref": part_of(hand_checks, &mut definitions)});
+    let families = FAMILIES.map(
+        |family| json!({"$ref": part_of(&format!("#/definitions/{family}"), &mut definitions)}),
+    );
+    extending["properties"]["hand_checks"] = json!({"anyOf": families});
     definitions["Template"] = Value::Object(template);
     definitions["ExtendingTemplate"] = Value::Object(extending);
     head.insert(
@@ -181,7 +185,7 @@ fn part_of(entry: &str, definitions: &mut Value) -> String {
     let named = ["name", "role"].into_iter().find(|k| !part["properties"][*k].is_null());
     match named {
         Some(key) => part["required"] = json!([key]),
-        None if name == "EndPlateEntry" => part["required"] = json!([]),
+        None if FAMILIES.contains(&name) => part["required"] = json!([]),
         None => return entry.to_owned(),
     }
     let of_base = format!("{name}OfBase");

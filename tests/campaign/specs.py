@@ -3,8 +3,9 @@
 import copy
 
 from case import check_bounds
+from drawn_specs import draw
 from reduce import smaller
-from spec_scenes import Catalogue, NoRoom, doubled, draw, text, upside_down
+from spec_scenes import Catalogue, NoRoom, doubled, text, upside_down
 
 NAME = "specs"
 SHARE = 0.30

@@ -5,6 +5,7 @@
 #[path = "../common/bench.rs"]
 mod bench;
 mod bolt_forces;
+mod bolted_families;
 mod built;
 mod component_method;
 mod files;

@@ -10,7 +10,7 @@ use super::expected_parts::{Expected, ExpectedBolt, ExpectedMember, ExpectedPlat
 use super::family_values::Values;
 use super::member_ends::Frame;
 use super::simple_joint::{Notch, SimpleJoint, SimpleKind, Support, SupportElement};
-use super::template::SimpleJointEntry;
+use super::template::{PlateKind, SimpleJointEntry};
 use crate::spec::expr::Expr;
 
 /// The values of the template's `hand_checks`.
@@ -47,9 +47,12 @@ pub(super) fn simple_joint(
         let of = |k: usize| values.or_none(key, e.as_ref().map(|e| &e[k]));
         Ok(Notch { length: of(0)?, depth: of(1)? })
     };
-    let other = if entry.header { support.thickness() } else { beam.tw };
+    let (kind, other) = match entry.kind {
+        PlateKind::FinPlate => (SimpleKind::FinPlate, beam.tw),
+        PlateKind::HeaderPlate => (SimpleKind::HeaderPlate, support.thickness()),
+    };
     Ok(SimpleJoint {
-        kind: if entry.header { SimpleKind::HeaderPlate } else { SimpleKind::FinPlate },
+        kind,
         beam_steel: values.steel(&role(&entry.beam), beam.tw)?,
         plate_steel: values.steel(&entry.steel, plate)?,
         thickness: plate,

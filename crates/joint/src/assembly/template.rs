@@ -21,7 +21,7 @@ pub use hand_check_entry::HandCheckEntry;
 pub use hand_checks::EndPlateEntry;
 pub use parameter::{Default, Parameter, ParameterKind};
 pub use parts::{BoxEntry, CutEntry, MidEntry, PartEntry, ProfileEntry, RoleEntry, SolidEntry};
-pub use simple_joint::SimpleJointEntry;
+pub use simple_joint::{PlateKind, SimpleJointEntry};
 
 use crate::spec::expr::Expr;
 use crate::spec::loads::LoadSpec;

@@ -105,7 +105,7 @@ impl View {
         [a[k], b[k]]
     }
 
-    /// Members, plates and bolts, the farthest first.
+    /// Members, plates and bolts, the farthest first; the outlines of plates over them.
     fn solids(&self, d: &mut Drawing, joint: &Content, window: &Extent) {
         let blocks = joint.members.iter().flat_map(|m| m.blocks().map(|b| (*b, STEEL)));
         let mut boxes: Vec<(Extent, &str)> =
@@ -118,6 +118,11 @@ impl View {
                 let [x, z] = [cut[self.across], cut[2]];
                 d.rectangle(Pen::Edge, fill, self.point(x[0], z[0]), self.point(x[1], z[1]));
             }
+        }
+        // plates that others hide
+        for p in &joint.pieces {
+            let [x, z] = [p.extent[self.across], p.extent[2]];
+            d.rectangle(Pen::Hidden, "none", self.point(x[0], z[0]), self.point(x[1], z[1]));
         }
         let Some((size, _)) = &joint.bolt else { return };
         for b in &joint.fasteners {

@@ -4,11 +4,21 @@ use crate::spec::expr::Expr;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
+/// The kind of an entry of a splice.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum SpliceKind {
+    /// Bolted cover plates on flanges and web.
+    CoverSplice,
+}
+
 /// The entry of a template: which of its names are what the code means. Lengths unless said; along
 /// the beam they are measured from the middle of the gap.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CoverSpliceEntry {
+    /// It stands first.
+    pub kind: SpliceKind,
     /// Member role of the beam.
     pub beam: String,
     /// Whose steel the covers have: the first of these that the spec gives (`plate` or a member

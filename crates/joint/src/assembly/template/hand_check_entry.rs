@@ -32,10 +32,6 @@ impl HandCheckEntry {
         }
     }
 
-    fn of_end_plate(entry: EndPlateEntry) -> Self {
-        HandCheckEntry::EndPlate(Box::new(entry))
-    }
-
     /// The entry of an end plate; `None` of another family.
     pub fn end_plate(&self) -> Option<&EndPlateEntry> {
         match self {
@@ -57,26 +53,24 @@ impl<'de> Deserialize<'de> for HandCheckEntry {
                 f.write_str("the quantities of the hand checks")
             }
             fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Self::Value, A::Error> {
-                let first = map.next_key::<String>()?;
-                if first.as_deref() != Some("kind") {
-                    let all = MapAccessDeserializer::new(PutBack { first, map });
-                    return EndPlateEntry::deserialize(all).map(HandCheckEntry::of_end_plate);
-                }
-                let kind: String = map.next_value()?;
-                let rest = MapAccessDeserializer::new(map);
-                match kind.as_str() {
-                    "end_plate" => {
-                        EndPlateEntry::deserialize(rest).map(HandCheckEntry::of_end_plate)
+                let key = map.next_key::<String>()?;
+                let kind = match key.as_deref() {
+                    Some("kind") => Some(map.next_value::<String>()?),
+                    _ => None,
+                };
+                let all = MapAccessDeserializer::new(PutBack { key, value: kind.clone(), map });
+                match kind.as_deref() {
+                    None | Some("end_plate") => {
+                        let entry = EndPlateEntry::deserialize(all)?;
+                        Ok(HandCheckEntry::EndPlate(Box::new(entry)))
                     }
-                    "fin_plate" | "header_plate" => {
-                        let entry = SimpleJointEntry::deserialize(rest)?;
-                        let header = kind == "header_plate";
-                        Ok(HandCheckEntry::Simple(SimpleJointEntry { header, ..entry }))
+                    Some("fin_plate" | "header_plate") => {
+                        SimpleJointEntry::deserialize(all).map(HandCheckEntry::Simple)
                     }
-                    "cover_splice" => {
-                        CoverSpliceEntry::deserialize(rest).map(HandCheckEntry::CoverSplice)
+                    Some("cover_splice") => {
+                        CoverSpliceEntry::deserialize(all).map(HandCheckEntry::CoverSplice)
                     }
-                    _ => Err(de::Error::unknown_variant(&kind, &KINDS)),
+                    Some(other) => Err(de::Error::unknown_variant(other, &KINDS)),
                 }
             }
         }
@@ -84,9 +78,10 @@ impl<'de> Deserialize<'de> for HandCheckEntry {
     }
 }
 
-/// A mapping whose first key is put back.
+/// A mapping whose first key is put back, with its value where that is read too.
 struct PutBack<A> {
-    first: Option<String>,
+    key: Option<String>,
+    value: Option<String>,
     map: A,
 }
 
@@ -97,13 +92,16 @@ impl<'de, A: MapAccess<'de>> MapAccess<'de> for PutBack<A> {
         &mut self,
         seed: K,
     ) -> Result<Option<K::Value>, A::Error> {
-        match self.first.take() {
+        match self.key.take() {
             Some(key) => seed.deserialize(key.into_deserializer()).map(Some),
             None => self.map.next_key_seed(seed),
         }
     }
 
     fn next_value_seed<S: DeserializeSeed<'de>>(&mut self, seed: S) -> Result<S::Value, A::Error> {
-        self.map.next_value_seed(seed)
+        match self.value.take() {
+            Some(value) => seed.deserialize(value.into_deserializer()),
+            None => self.map.next_value_seed(seed),
+        }
     }
 }

@@ -5,10 +5,20 @@ use crate::spec::expr::Expr;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
+/// The kind of an entry of an end plate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum EndPlateKind {
+    /// A bolted end plate.
+    EndPlate,
+}
+
 /// The entry of a template: which of its names are what the code means. Lengths unless said.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct EndPlateEntry {
+    /// `end_plate`, or absent. It stands first.
+    pub kind: Option<EndPlateKind>,
     /// Member role of the column; absent: a splice, the plate is bolted to the same plate on the
     /// other beam.
     pub column: Option<String>,

@@ -4,13 +4,22 @@ use crate::spec::expr::Expr;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
+/// The kind of an entry of a simple joint.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum PlateKind {
+    /// On the support, bolted to the web of the beam.
+    FinPlate,
+    /// Lower than the beam, welded to its web and bolted to the support.
+    HeaderPlate,
+}
+
 /// The entry of a template: which of its names are what the code means. Lengths unless said.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SimpleJointEntry {
-    /// True for `kind: header_plate`.
-    #[serde(skip)]
-    pub header: bool,
+    /// What the plate does. It stands first.
+    pub kind: PlateKind,
     /// Member role of the support.
     pub support: String,
     /// True or false: the plate stands on the web of the support; absent: on its flange.
