@@ -10,8 +10,8 @@ use bracket::spec::ConnectionSpec;
 use bracket::yaml;
 use std::path::Path;
 
-/// The fin plate of Steel Buildings in Europe, Part 5, 3.4: IPE A 550 of S275, plate 360 × 160 × 10,
-/// ten M20 8.8, V = 350 kN; the upper bolts lie 90 mm below the top of the beam.
+/// The fin plate of Steel Buildings in Europe, Part 5, 3.4: IPE A 550 of S275, plate 360 × 160 ×
+/// 10, ten M20 8.8, V = 350 kN; the upper bolts lie 90 mm below the top of the beam.
 const FIN: &str = r#"template: fin_plate
 members: {column: {profile: HEB300, steel: S275}, beam: {profile: IPEA550, steel: S275}}
 plate: {thickness: 10, width: 160, z: [-136.5, 223.5], steel: S275}
@@ -33,8 +33,9 @@ members: {beam: {profile: UB457x191x67, steel: S275}}
 plate: {thickness: 12, width: 180, steel: S275}
 bolts: {size: M20, grade: "8.8", gauge: 120}
 parameters:
-  {flange_columns: [65, 135, 205], flange_cover: 285, web_rows: [-120, 0, 120], web_column: 75, web_columns: 2,
-   web_pitch: 85, web_thickness: 10, web_height: 340, web_cover: 210}
+  {flange_columns: [65, 135, 205], flange_cover: 285, web_rows: [-120, 0, 120],
+   web_column: 75, web_columns: 2, web_pitch: 85, web_thickness: 10,
+   web_height: 340, web_cover: 210}
 loads: [{name: ULS1, end: beam_right, at: bolt_plane, My: 200 kN m, Vz: -150 kN, N: -150 kN}]
 "#;
 

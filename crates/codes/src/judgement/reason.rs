@@ -33,12 +33,9 @@ pub(super) fn sentence(
             case,
             what
         ),
-        (Verdict::Ok, ..) if route == Some(Route::Code) => say!(
-            "{}: every binding check holds, the component method included; governing: {}{}",
-            case,
-            what,
-            beside(a)
-        ),
+        (Verdict::Ok, ..) if route == Some(Route::Code) => {
+            say!("{}: every binding check holds; governing: {}{}", case, what, beside(a))
+        }
         (Verdict::Ok, ..) if a.route_holds() => {
             say!("{}: every step of the route of analysis holds: {}", case, steps(a))
         }

@@ -48,8 +48,7 @@ fn rows(j: &Judgement, result: &ResultFile) -> Vec<Vec<Text>> {
 /// The verdicts by code and by analysis: name, verdict, and what it stands on.
 pub(crate) fn parts(j: &Judgement, result: &ResultFile) -> [(&'static str, Verdict, Text); 2] {
     let mut code = vec![Text::from(
-        "binding checks of EN 1993; strength by the component method where no limit analysis \
-         decides",
+        "binding checks of EN 1993, those of strength where no limit analysis decides",
     )];
     let binds = |r: &&SummaryRow| r.kind != RowKind::Bracket && r.governs_by.is_some();
     let by = |r: &SummaryRow| r.governs_by.unwrap_or(0.0);
