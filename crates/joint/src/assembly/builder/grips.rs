@@ -4,6 +4,7 @@ use super::bolts::Bolt;
 use super::context::Context;
 use super::shapes::Shape;
 use crate::assembly::assembly::{Grip, Ply, Room, Section};
+use crate::assembly::content::Extent;
 use crate::assembly::error::AssemblyError;
 use crate::assembly::evaluate::{entry_fault, within};
 use crate::assembly::part::{Hole, across};
@@ -17,7 +18,7 @@ const NEIGHBOUR: f64 = 1.0;
 /// A part with holes: its steel, and the boxes of its plates, flanges and webs.
 struct Bolted {
     steel: Strength,
-    blocks: Vec<[[f64; 2]; 3]>,
+    plates: Vec<Vec<Extent>>,
 }
 
 impl Context<'_> {
@@ -46,7 +47,7 @@ impl Context<'_> {
                     part: part.clone(),
                     thickness: *thickness,
                     fu: of.steel.fu,
-                    room: room(middle, b.hole.axis, &of.blocks, others),
+                    room: room(middle, b.hole.axis, &of.plates, others),
                 });
                 from += thickness;
             }
@@ -96,23 +97,22 @@ impl Context<'_> {
                 }
                 let thickness = within(at, scope.length(&entry.thickness))?;
                 let steel = self.inputs.strength(self.spec, &entry.steel, thickness)?;
-                let mut blocks = Vec::new();
-                let shapes = self.shapes(entry, &scope)?;
-                blocks.extend(shapes.iter().flat_map(Shape::plates));
-                out.insert(name, Bolted { steel, blocks });
+                let plates = self.shapes(entry, &scope)?.iter().flat_map(Shape::plates).collect();
+                out.insert(name, Bolted { steel, plates });
             }
         }
         Ok(out)
     }
 }
 
-/// The room around a hole with its axis through `centre`, a point inside the ply, among the blocks
-/// and holes of a part.
-fn room(centre: [f64; 3], axis: usize, blocks: &[[[f64; 2]; 3]], holes: &[Hole]) -> Option<Room> {
-    let inside = |x: &&[[f64; 2]; 3]| (0..3).all(|k| x[k][0] <= centre[k] && centre[k] <= x[k][1]);
-    let block = blocks.iter().find(inside)?;
+/// The room around a hole with its axis through `centre`, a point inside the ply, among the plates
+/// and holes of a part. A plate is the boxes that cuts leave of it.
+fn room(centre: [f64; 3], axis: usize, plates: &[Vec<Extent>], holes: &[Hole]) -> Option<Room> {
+    let inside = |x: &&Extent| (0..3).all(|k| x[k][0] <= centre[k] && centre[k] <= x[k][1]);
+    let found = plates.iter().find_map(|p| Some((p, p.iter().find(inside)?)));
+    let (plate, block) = found?;
     let axes = across(axis);
-    let edge = axes.map(|k| [0, 1].map(|side| to_edge(centre, (axis, k, side), block, blocks)));
+    let edge = axes.map(|k| [0, 1].map(|side| to_edge(centre, (axis, k, side), block, plate)));
     let mut pitch = [[f64::INFINITY; 2]; 2];
     for other in holes.iter().filter(|o| o.axis == axis) {
         let from = axes.map(|k| other.base[k] - centre[k]);
@@ -131,21 +131,19 @@ fn room(centre: [f64; 3], axis: usize, blocks: &[[[f64; 2]; 3]], holes: &[Hole])
     Some(Room { edge, pitch })
 }
 
-/// Distance from a point in `block` along axis `k` to the edge on a side of the plate: its boxes
-/// beside notches are equal along the axis of the hole.
+/// Distance from a point in `block` along axis `k` to the edge on a side of its plate.
 fn to_edge(
     centre: [f64; 3],
     (axis, k, side): (usize, usize, usize),
-    block: &[[f64; 2]; 3],
-    blocks: &[[[f64; 2]; 3]],
+    block: &Extent,
+    plate: &[Extent],
 ) -> f64 {
     let across = 3 - axis - k;
     let mut edge = block[k][side];
-    while let Some(next) = blocks.iter().find(|b| {
-        b[axis] == block[axis]
-            && b[k][1 - side] == edge
-            && (b[across][0]..=b[across][1]).contains(&centre[across])
-    }) {
+    while let Some(next) = plate
+        .iter()
+        .find(|b| b[k][1 - side] == edge && (b[across][0]..=b[across][1]).contains(&centre[across]))
+    {
         edge = next[k][side];
     }
     (edge - centre[k]).abs()
@@ -181,7 +179,7 @@ mod tests {
             hole(15.0, 45.0, 110.0),
             hole(15.0, -45.0, 210.0),
         ];
-        let of = |centre: [f64; 3]| room(centre, 0, &[beside, plate], &holes);
+        let of = |centre: [f64; 3]| room(centre, 0, &[vec![beside], vec![plate]], &holes);
         let found = of([7.5, -45.0, 40.0]).expect("inside the plate");
         assert_eq!(found.edge, [[30.0, 120.0], [40.0, 160.0]]);
         assert_eq!(found.pitch, [[f64::INFINITY, 90.0], [f64::INFINITY, 70.0]]);
@@ -198,9 +196,8 @@ mod tests {
         let web = [[0.0, 500.0], [-4.0, 4.0], [-140.0, 140.0]];
         let notch = [[-10.0, 80.0], [-100.0, 100.0], [110.0, 150.0]];
         let flange = [[80.0, 500.0], [-75.0, 75.0], [140.0, 150.0]];
-        let mut blocks = crate::assembly::content::minus(web, &notch);
-        blocks.push(flange);
-        let of = |x: f64| room([x, 0.0, 70.0], 1, &blocks, &[]).expect("inside").edge;
+        let plates = [vec![flange], crate::assembly::content::minus(web, &notch)];
+        let of = |x: f64| room([x, 0.0, 70.0], 1, &plates, &[]).expect("inside").edge;
         assert_eq!(of(50.0), [[50.0, 450.0], [210.0, 40.0]]);
         assert_eq!(of(120.0), [[120.0, 380.0], [210.0, 70.0]]);
     }
@@ -210,7 +207,7 @@ mod tests {
     fn staggered_holes_are_neighbours_in_one_direction() {
         let plate = [[0.0, 15.0], [-100.0, 100.0], [0.0, 200.0]];
         let holes = [hole(15.0, 0.0, 50.0), hole(15.0, 30.0, 90.0)];
-        let found = room([7.5, 0.0, 50.0], 0, &[plate], &holes).expect("inside");
+        let found = room([7.5, 0.0, 50.0], 0, &[vec![plate]], &holes).expect("inside");
         assert_eq!(found.pitch, [[f64::INFINITY; 2], [f64::INFINITY, 40.0]]);
     }
 }

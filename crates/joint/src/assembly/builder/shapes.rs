@@ -19,13 +19,13 @@ pub(super) struct Shape<'a> {
 }
 
 impl Shape<'_> {
-    /// Its plates: the box, or flanges and web, without what is cut out.
-    pub fn plates(&self) -> Vec<Extent> {
-        let [first, second] = match &self.body {
-            Body::Profile(_, placed) => flanges_and_web(placed, &self.cuts),
-            Body::Cuboid(x) => [without(*x, &self.cuts), Vec::new()],
+    /// Its plates: the box, or each flange and the web. Each is the boxes that cuts leave of it.
+    pub fn plates(&self) -> Vec<Vec<Extent>> {
+        let whole = match &self.body {
+            Body::Profile(_, placed) => placed.blocks().to_vec(),
+            Body::Cuboid(x) => vec![*x],
         };
-        first.into_iter().chain(second).collect()
+        whole.into_iter().map(|x| without(x, &self.cuts)).collect()
     }
 }
 
