@@ -5,7 +5,7 @@ use super::side::{Side, flange_part};
 use crate::check::{largest, within};
 use crate::eurocode::bearing::{Along, Bearing, Hole};
 use crate::eurocode::holes::Clearance;
-use crate::formula::{Number, Traced};
+use crate::formula::Number;
 use crate::subject::Part;
 use crate::worked::Worked;
 use bracket_joint::assembly::{CoverSplice, Way};
@@ -43,26 +43,28 @@ pub(super) struct Ply<'a> {
 }
 
 impl Ply<'_> {
+    /// A bolt of it at a position along the force.
+    fn at(&self, e: &CoverSplice, along: Along) -> Bearing {
+        Bearing {
+            along,
+            e2: self.e2,
+            p2: self.p2,
+            hole: hole_kind(e),
+            d: e.bolt.d,
+            d0: e.hole,
+            thickness: self.thickness,
+            fu: self.steel.fu.mpa(),
+            fub: e.grade.fub,
+        }
+    }
+
     /// Least bearing resistance at its bolts \[N\]; `pressed` to the end, or away from it.
     ///
     /// # Source
     /// EN 1993-1-8:2005 Table 3.4: end bolts by their end distance, inner bolts by their pitch. A
     /// bolt that presses no end and no other hole has α_d = 1.
     pub fn bearing(&self, e: &CoverSplice, pressed: bool) -> Worked {
-        let at = |along| {
-            let bearing = Bearing {
-                along,
-                e2: self.e2,
-                p2: self.p2,
-                hole: hole_kind(e),
-                d: e.bolt.d,
-                d0: e.hole,
-                thickness: self.thickness,
-                fu: self.steel.fu.mpa(),
-                fub: e.grade.fub,
-            };
-            bearing.resistance(e.factors.gamma_m2)
-        };
+        let at = |along| self.at(e, along).resistance(e.factors.gamma_m2);
         let end = Along::End { e1: if pressed { self.end } else { f64::INFINITY } };
         let inner = self.pitch.is_finite().then_some(Along::Inner { p1: self.pitch });
         let each = [Some(end), inner].into_iter().flatten().map(at);
@@ -76,11 +78,9 @@ impl Ply<'_> {
     /// EN 1993-1-8:2005 3.6.1(10).
     pub fn single_lap(&self, e: &CoverSplice, pressed: bool) -> Worked {
         let worked = self.bearing(e, pressed);
-        let limit = Traced::from(1.5)
-            * Traced::stress("f_u", self.steel.fu.mpa())
-            * Traced::length("d", e.bolt.d)
-            * Traced::length("t", self.thickness)
-            / Traced::number("γ_M2", e.factors.gamma_m2);
+        // the position along the force plays no part in it
+        let anywhere = self.at(e, Along::End { e1: self.end });
+        let limit = anywhere.most_of_one_row(e.factors.gamma_m2);
         if within(worked.value, limit.value()) {
             return worked;
         }

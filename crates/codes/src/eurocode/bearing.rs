@@ -101,10 +101,14 @@ impl Bearing {
     /// # Source
     /// EN 1993-1-8:2005 3.6.1(10), formula 3.2: with washers under head and nut.
     pub fn of_one_row(&self, gamma_m2: f64) -> Worked {
+        let (id, value) = (CheckId::BearingResistance, self.most_of_one_row(gamma_m2));
+        Worked::of("EN 1993-1-8:2005 3.6.1(10)", id, "F_b,Rd", value, Unit::Force)
+    }
+
+    /// The same as a formula that has no symbol yet.
+    pub fn most_of_one_row(&self, gamma_m2: f64) -> Traced {
         let [d, t] = [("d", self.d), ("t", self.thickness)].map(|(s, v)| Traced::length(s, v));
         let gamma = Traced::number("γ_M2", gamma_m2);
-        let value = Traced::from(1.5) * Traced::stress("f_u", self.fu) * d * t / gamma;
-        let id = CheckId::BearingResistance;
-        Worked::of("EN 1993-1-8:2005 3.6.1(10)", id, "F_b,Rd", value, Unit::Force)
+        Traced::from(1.5) * Traced::stress("f_u", self.fu) * d * t / gamma
     }
 }

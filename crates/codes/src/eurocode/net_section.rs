@@ -1,5 +1,6 @@
 //! Sections of plates beside their holes: EN 1993-1-1:2005 6.2.2 to 6.2.6, EN 1993-1-8:2005 3.10.1.
 
+use super::plate_section::BENDING_BESIDE_SHEAR;
 use super::yielding::{in_shear, plastic, plastic_shear};
 use crate::check::CheckId;
 use crate::formula::{Formula, Number, Traced};
@@ -102,7 +103,7 @@ impl NetSection<'_> {
     pub fn plate_shear(&self, id: CheckId) -> Worked {
         let gross = self.gross();
         let [m0, _, f_y, _] = self.symbols();
-        let value = plastic_shear(gross.traced() / Traced::from(1.27), f_y, m0);
+        let value = plastic_shear(gross.traced() / Traced::from(BENDING_BESIDE_SHEAR), f_y, m0);
         Worked::of("EN 1993-1-1:2005 6.2.6(2); SCI P398", id, "V_Rd", value, Unit::Force)
             .after(gross)
     }

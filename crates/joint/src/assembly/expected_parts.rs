@@ -5,6 +5,7 @@ use super::assembly::Assembly;
 use super::content::{Content, Extent, Fastener, Length, NotChecked, PieceKind, SAME_PLACE};
 use super::coverage::others;
 use super::error::AssemblyError;
+use bracket_base::math::vec3::V3;
 use bracket_base::say;
 use bracket_base::words::Text;
 
@@ -81,8 +82,14 @@ fn same(a: f64, b: f64) -> bool {
     (a - b).abs() < SAME_PLACE
 }
 
-fn same_interval(a: &[f64; 2], b: &[f64; 2]) -> bool {
-    same(a[0], b[0]) && same(a[1], b[1])
+/// Whether two boxes are one but for rounding.
+pub(super) fn same_extent(a: &Extent, b: &Extent) -> bool {
+    a.as_flattened().iter().zip(b.as_flattened()).all(|(a, b)| same(*a, *b))
+}
+
+/// The box between two corners.
+pub(super) fn between(p: V3, q: V3) -> Extent {
+    [0, 1, 2].map(|k| [p[k].min(q[k]), p[k].max(q[k])])
 }
 
 impl Expected {
@@ -95,7 +102,7 @@ impl Expected {
     ) -> Result<Vec<NotChecked>, AssemblyError> {
         self.bolts_agree(&content.fasteners)?;
         for p in &mut content.pieces {
-            let is = |e: &&ExpectedPlate| (0..3).all(|k| same_interval(&e.extent[k], &p.extent[k]));
+            let is = |e: &&ExpectedPlate| same_extent(&e.extent, &p.extent);
             if let Some(found) = self.plates.iter().find(is) {
                 p.kind = PieceKind::Checked;
                 p.label = found.label.into();
@@ -140,12 +147,8 @@ impl Expected {
 
     /// What the checks count and the geometry lacks.
     fn absent(&self, content: &Content) -> Vec<NotChecked> {
-        let there = |e: &&ExpectedPlate| {
-            !content
-                .pieces
-                .iter()
-                .any(|p| (0..3).all(|k| same_interval(&e.extent[k], &p.extent[k])))
-        };
+        let absent =
+            |e: &&ExpectedPlate| !content.pieces.iter().any(|p| same_extent(&e.extent, &p.extent));
         let one = |e: &ExpectedPlate| {
             let why = "`hand_checks` of the template counts it, and the parts of the template have \
                        none at that place with these sizes";
@@ -156,7 +159,7 @@ impl Expected {
                 "a template whose parts and `hand_checks` agree".into(),
             )
         };
-        self.plates.iter().filter(there).map(one).collect()
+        self.plates.iter().filter(absent).map(one).collect()
     }
 
     /// Bolts through other plies than the checks take.

@@ -6,7 +6,9 @@ use super::code_values::CodeValues;
 use super::content::Content;
 use super::end_plate::unseen;
 use super::error::AssemblyError;
-use super::expected_parts::{Expected, ExpectedBolt, ExpectedMember, ExpectedPlate, Flanges};
+use super::expected_parts::{
+    Expected, ExpectedBolt, ExpectedMember, ExpectedPlate, Flanges, between, same_extent,
+};
 use super::family_values::Values;
 use super::member_ends::Frame;
 use super::simple_joint::{Notch, SimpleJoint, SimpleKind, Support, SupportElement};
@@ -102,7 +104,6 @@ pub(super) fn expected(
         (p[a], p[across], p[d]) = (x, p[across] + y, p[d] + z);
         p
     };
-    let between = |p: [f64; 3], q: [f64; 3]| [0, 1, 2].map(|k| [p[k].min(q[k]), p[k].max(q[k])]);
     let fin = e.kind == SimpleKind::FinPlate;
     let half = 0.5 * e.beam.tw;
     // a fin plate lies on either side of the web
@@ -115,7 +116,7 @@ pub(super) fn expected(
             between(at(face, -0.5 * e.width, e.bottom), at(x(e.thickness), 0.5 * e.width, e.top))
         }
     };
-    let is = |side: &f64| content.pieces.iter().any(|p| p.extent == on(*side));
+    let is = |side: &f64| content.pieces.iter().any(|p| same_extent(&p.extent, &on(*side)));
     let side = [1.0, -1.0].into_iter().find(is).unwrap_or(1.0);
     let (label, support) = match fin {
         true => ("fin plate", e.beam.tw),

@@ -6,7 +6,9 @@ use super::code_values::CodeValues;
 use super::cover_splice::{CoverPlate, CoverSplice, InnerCovers, SpliceUse, SplicedMember};
 use super::end_plate::unseen;
 use super::error::AssemblyError;
-use super::expected_parts::{Expected, ExpectedBolt, ExpectedMember, ExpectedPlate, Flanges};
+use super::expected_parts::{
+    Expected, ExpectedBolt, ExpectedMember, ExpectedPlate, Flanges, between,
+};
 use super::family_values::Values;
 use super::member_ends::Frame;
 use super::template::CoverSpliceEntry;
@@ -92,7 +94,6 @@ pub(super) fn expected(e: &CoverSplice, entry: &CoverSpliceEntry, frame: &Frame)
         (p[a], p[across], p[d]) = (p[a] + x, p[across] + y, p[d] + z);
         p
     };
-    let between = |p: [f64; 3], q: [f64; 3]| [0, 1, 2].map(|k| [p[k].min(q[k]), p[k].max(q[k])]);
     let s = &e.right.section;
     let (top, inside, web) = (0.5 * s.h, 0.5 * s.h - s.tf, 0.5 * s.tw);
     let mut out = Expected { throat: 0.0, ..Expected::default() };

@@ -22,25 +22,35 @@ const LAYERS: [(&str, u8); 4] = [("PLATE", 7), ("HOLES", 1), ("CENTRES", 8), ("N
 
 /// The drawing with its note in `words`. `pieces` is the number of plates of the joint.
 pub fn end_plate(e: &EndPlate, pieces: usize, words: &Words) -> String {
-    let mut d = Dxf::new();
     let half = 0.5 * e.width;
-    let corners = [[-half, e.bottom], [half, e.bottom], [half, e.top], [-half, e.top]];
-    for i in 0..4 {
-        d.line("PLATE", corners[i], corners[(i + 1) % 4]);
-    }
-    for &z in &e.rows {
-        e.columns().into_iter().for_each(|y| d.hole([y, z], e.hole));
-    }
-    let holes = e.rows.len() * e.columns().len();
+    let row = |&z: &f64| e.columns().into_iter().map(move |y| [y, z]);
+    let holes: Vec<[f64; 2]> = e.rows.iter().flat_map(row).collect();
     let size = [e.thickness, e.width, e.top - e.bottom].map(number).join(" x ");
     let notes: [Text; 3] = [
         say!("end plate {} {}, {} off", size, &e.plate_steel.grade, pieces),
-        say!("{} holes {} mm for {} bolts", holes, number(e.hole), &e.bolt.size),
+        say!("{} holes {} mm for {} bolts", holes.len(), number(e.hole), &e.bolt.size),
         "all dimensions in mm, origin at the axis of the beam".into(),
     ];
+    rectangle([[-half, e.bottom], [half, e.top]], &holes, e.hole, notes.map(|n| words.say(&n)))
+}
+
+/// A rectangular plate between two corners, with the centres of its holes, their diameter \[mm\]
+/// and notes below it.
+fn rectangle(
+    [[left, bottom], [right, top]]: [[f64; 2]; 2],
+    holes: &[[f64; 2]],
+    diameter: f64,
+    notes: [String; 3],
+) -> String {
+    let mut d = Dxf::new();
+    let corners = [[left, bottom], [right, bottom], [right, top], [left, top]];
+    for i in 0..4 {
+        d.line("PLATE", corners[i], corners[(i + 1) % 4]);
+    }
+    holes.iter().for_each(|at| d.hole(*at, diameter));
     for (i, note) in notes.iter().enumerate() {
-        let below = e.bottom - (2.0 + 1.6 * i as f64) * LETTERS;
-        d.text("NOTES", [-half, below], LETTERS, &words.say(note));
+        let below = bottom - (2.0 + 1.6 * i as f64) * LETTERS;
+        d.text("NOTES", [left, below], LETTERS, note);
     }
     d.finish()
 }
@@ -129,13 +139,7 @@ pub fn bolted_plates(content: &Content, hole: f64, words: &Words) -> Vec<(String
 
 impl Flat<'_> {
     fn drawing(&self, content: &Content, hole: f64, words: &Words) -> String {
-        let mut d = Dxf::new();
         let [_, width, height] = self.sizes;
-        let corners = [[0.0, 0.0], [width, 0.0], [width, height], [0.0, height]];
-        for i in 0..4 {
-            d.line("PLATE", corners[i], corners[(i + 1) % 4]);
-        }
-        self.holes.iter().for_each(|at| d.hole(*at, hole));
         let size = self.sizes.map(number).join(" x ");
         let bolt = content.bolt.as_ref().map_or(String::new(), |(size, _)| size.size.clone());
         let notes: [Text; 3] = [
@@ -143,11 +147,8 @@ impl Flat<'_> {
             say!("{} holes {} mm for {} bolts", self.holes.len(), number(hole), bolt),
             "all dimensions in mm, origin at the lower left corner".into(),
         ];
-        for (i, note) in notes.iter().enumerate() {
-            let below = -(2.0 + 1.6 * i as f64) * LETTERS;
-            d.text("NOTES", [0.0, below], LETTERS, &words.say(note));
-        }
-        d.finish()
+        let notes = notes.map(|n| words.say(&n));
+        rectangle([[0.0, 0.0], [width, height]], &self.holes, hole, notes)
     }
 }
 
