@@ -8,6 +8,7 @@ use super::column_ends::ColumnEnds;
 use super::column_span::ColumnSpan;
 use super::content::NotChecked;
 use super::error::AssemblyError;
+use super::rafter::{Rafter, rafter};
 use super::small_actions::SmallActions;
 use super::spec_checks::system_length;
 use super::template::EndPlateEntry;
@@ -88,7 +89,8 @@ pub struct UnseenLoad {
 }
 
 /// A bolted end plate between a beam and the flange of a column, or between two beams with the same
-/// plate. Lengths in mm; z is measured from the beam's axis, positive upwards.
+/// plate. Lengths in mm; z is measured from the beam's axis, or from the middle of the depth of a
+/// [`Rafter`] at the plate, positive upwards.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct EndPlate {
     /// The column; `None` for a splice.
@@ -135,6 +137,9 @@ pub struct EndPlate {
     /// Thickness that the bolts clamp, that of further plates under head or nut included; the
     /// largest, if they differ.
     pub grip: f64,
+    /// Slope and haunch of the beam; `None`: its axis is normal to the plate.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rafter: Option<Rafter>,
     /// What the geometry has and the checks do not cover.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub not_checked: Vec<NotChecked>,
@@ -167,6 +172,11 @@ pub struct EndPlate {
 }
 
 impl EndPlate {
+    /// Depth of the beam at the plate with its haunch, along the plate \[mm\].
+    pub fn depth(&self) -> f64 {
+        self.rafter.as_ref().map_or(self.beam.h, |r| r.depth)
+    }
+
     /// y of every column of bolts \[mm\].
     pub fn columns(&self) -> Vec<f64> {
         let pair = |gauge: f64| [-0.5 * gauge, 0.5 * gauge];
@@ -235,11 +245,12 @@ pub(super) fn unseen(
 
 /// The values of the template's `hand_checks`.
 pub(super) fn end_plate(
-    &Context { spec, inputs, scope, small, .. }: &Context<'_>,
+    context: &Context<'_>,
     entry: &EndPlateEntry,
     code: &CodeValues,
     actions: Vec<PlaneActions>,
 ) -> Result<EndPlate, AssemblyError> {
+    let &Context { spec, inputs, scope, small, .. } = context;
     let wrong = |key: &str, problem: String| AssemblyError::TemplateEntry {
         at: format!("hand_checks.{key}"),
         problem,
@@ -341,6 +352,7 @@ pub(super) fn end_plate(
         hole: length("hole", &entry.hole, Some(bolt.d))?,
         // the geometry says more
         grip: thickness + column_flange.unwrap_or(thickness),
+        rafter: entry.rafter.as_ref().map(|r| rafter(context, r)).transpose()?,
         not_checked: Vec::new(),
         rib: or_none("rib", &entry.rib)?,
         rib_throat: or_none("rib_throat", &entry.rib_throat)?,

@@ -24,6 +24,11 @@ impl Values<'_, '_> {
         self.named(key, self.0.scope.length(e))
     }
 
+    /// An angle \[rad\].
+    pub fn angle(&self, key: &str, e: &Expr) -> Result<f64, AssemblyError> {
+        self.named(key, self.0.scope.angle(e))
+    }
+
     /// A length above 0 \[mm\].
     pub fn positive(&self, key: &str, e: &Expr) -> Result<f64, AssemblyError> {
         match self.length(key, e)? {

@@ -25,6 +25,7 @@ mod member_ends;
 mod no_effect;
 pub mod origin;
 pub mod part;
+pub mod rafter;
 pub mod scope;
 mod seen_bolts;
 pub mod sheets;
@@ -48,6 +49,7 @@ pub use end_plate::{ColumnSide, EndPlate, UnseenLoad};
 pub use error::AssemblyError;
 pub use facts::Facts;
 pub use joint::{Joint, LoadedTemplate, build, build_from, given_names, names};
+pub use rafter::{Haunch, Rafter};
 pub use simple_joint::{Notch, SimpleJoint, SimpleKind, Support, SupportElement};
 pub use small_actions::{Idle, Neglected};
 

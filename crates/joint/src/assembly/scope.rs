@@ -109,6 +109,11 @@ impl Scope {
         e.eval_as(Dim::LENGTH, &mut |n| self.get(n))
     }
 
+    /// An angle \[rad\].
+    pub fn angle(&self, e: &Expr) -> Result<f64, ExprError> {
+        e.eval_as(Dim::ANGLE, &mut |n| self.get(n))
+    }
+
     /// A pure number.
     pub fn number(&self, e: &Expr) -> Result<f64, ExprError> {
         e.eval_as(Dim::NONE, &mut |n| self.get(n))

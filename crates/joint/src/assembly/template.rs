@@ -18,7 +18,7 @@ pub use common::{Axis, Loop, RectangleEntry};
 pub use connections::{BoltEntry, ContactEntry, GripEntry, WeldEntry};
 pub use cover_splice::CoverSpliceEntry;
 pub use hand_check_entry::HandCheckEntry;
-pub use hand_checks::EndPlateEntry;
+pub use hand_checks::{EndPlateEntry, HaunchEntry, RafterEntry};
 pub use parameter::{Default, Parameter, ParameterKind};
 pub use parts::{BoxEntry, CutEntry, MidEntry, PartEntry, ProfileEntry, RoleEntry, SolidEntry};
 pub use simple_joint::{PlateKind, SimpleJointEntry};

@@ -79,7 +79,49 @@ pub struct EndPlateEntry {
     /// β of EN 1993-1-8 5.3(7), a number: 0 equal and opposite moments on both sides, 1 a beam on
     /// one side alone. Load cases with actions at `ends` have their own.
     pub beta: Option<Expr>,
+    /// The slope and the haunch of the beam; absent: its axis is normal to the plate. z of all
+    /// other values is then measured from the middle of the depth at the plate, and `bolt_plane` of
+    /// the ends lies there.
+    pub rafter: Option<RafterEntry>,
     /// Member ends that are joined by such a plate each; every one has a point `bolt_plane`.
     #[serde(default)]
     pub ends: Vec<String>,
+}
+
+/// The slope and the haunch of a beam.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct RafterEntry {
+    /// Angle between the beam's axis and the normal of the plate; positive: the beam rises out of
+    /// the joint.
+    pub slope: Expr,
+    /// Depth at the plate, along it, between the outer faces of the upper and the lower flange.
+    pub depth: Expr,
+    /// The haunch below the beam.
+    pub haunch: Option<HaunchEntry>,
+}
+
+/// A haunch of a web and a flange below the beam.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct HaunchEntry {
+    /// Only where this holds.
+    pub when: Option<Expr>,
+    /// Length from the plate to the tip, along the lower flange of the beam.
+    pub length: Expr,
+    /// Angle between the haunch flange and the beam's axis.
+    pub angle: Expr,
+    /// Thickness of its flange.
+    pub flange: Expr,
+    /// Width of its flange.
+    pub width: Expr,
+    /// Thickness of its web.
+    pub web: Expr,
+    /// Whose steel it has: the first of these that the spec gives (`plate` or a member role).
+    pub steel: Vec<String>,
+    /// Throat of the fillet welds on both sides of its web to the flange of the beam; zero or
+    /// absent: butt welds.
+    pub seam_throat: Option<Expr>,
+    /// Thickness of the stiffeners of the beam's web at its tip; zero or absent: none.
+    pub stiffener: Option<Expr>,
 }
