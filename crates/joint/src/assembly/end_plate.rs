@@ -139,7 +139,7 @@ pub struct EndPlate {
     pub grip: f64,
     /// Slope and haunch of the beam; `None`: its axis is normal to the plate.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub rafter: Option<Rafter>,
+    pub rafter: Option<Box<Rafter>>,
     /// What the geometry has and the checks do not cover.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub not_checked: Vec<NotChecked>,
@@ -352,7 +352,7 @@ pub(super) fn end_plate(
         hole: length("hole", &entry.hole, Some(bolt.d))?,
         // the geometry says more
         grip: thickness + column_flange.unwrap_or(thickness),
-        rafter: entry.rafter.as_ref().map(|r| rafter(context, r)).transpose()?,
+        rafter: entry.rafter.as_ref().map(|r| rafter(context, r).map(Box::new)).transpose()?,
         not_checked: Vec::new(),
         rib: or_none("rib", &entry.rib)?,
         rib_throat: or_none("rib_throat", &entry.rib_throat)?,
