@@ -390,6 +390,7 @@ fn cantilever(o: &Options) -> AnalysisModel {
         solid: Solid::Union(solids.clone()),
         convex: solids,
         mid_planes,
+        oblique_planes: vec![],
         size: 25.4,
     };
     let face = |name: &str, at| FaceRule {

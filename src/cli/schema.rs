@@ -121,6 +121,10 @@ fn parameter(p: &Parameter) -> Value {
     let mut schema = match p.kind {
         ParameterKind::Length => json!({"$ref": "#/definitions/Length"}),
         ParameterKind::Number => json!({"type": "number"}),
+        ParameterKind::Angle => json!({
+            "type": "string",
+            "pattern": "^[-+−]?[0-9.]+([eE][-+]?[0-9]+)? *(deg|rad)$",
+        }),
         ParameterKind::Flag => json!({"type": "boolean"}),
         ParameterKind::Lengths => {
             json!({"type": "array", "items": {"$ref": "#/definitions/Length"}})

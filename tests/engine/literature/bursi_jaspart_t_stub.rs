@@ -48,6 +48,7 @@ fn part(
         solid,
         convex,
         mid_planes: vec![],
+        oblique_planes: vec![],
         size,
     }
 }
@@ -102,6 +103,7 @@ fn bursi_jaspart(size: f64) -> Assembly {
     let mid = MidPlane { axis: 2, at: 0.5 * tf, min: [-b, -40.0, 0.0], max: [b, 40.0, 0.0] };
     let mut parts = vec![Part {
         mid_planes: vec![mid],
+        oblique_planes: vec![],
         ..part("T", PartRole::Plate, "flange", Solid::Difference(cut), convex, size)
     }];
     let mut interfaces = Vec::new();

@@ -14,6 +14,8 @@ pub enum Kind {
     Moment,
     /// A stress or pressure; needs a suffix.
     Stress,
+    /// An angle; needs a suffix.
+    Angle,
 }
 
 impl Kind {
@@ -24,6 +26,7 @@ impl Kind {
             Kind::Force => "force",
             Kind::Moment => "moment",
             Kind::Stress => "stress",
+            Kind::Angle => "angle",
         }
     }
 
@@ -34,6 +37,7 @@ impl Kind {
             Kind::Force => "N, kN, MN, kip",
             Kind::Moment => "N mm, N m, kN cm, kN m, MN m, kip in, kip ft",
             Kind::Stress => "MPa, N/mm2, GPa, kN/cm2, ksi",
+            Kind::Angle => "deg, rad",
         }
     }
 
@@ -44,6 +48,7 @@ impl Kind {
             Kind::Force => "kN",
             Kind::Moment => "kN m",
             Kind::Stress => "MPa",
+            Kind::Angle => "deg",
         }
     }
 
@@ -54,6 +59,7 @@ impl Kind {
             Kind::Force => Dim::FORCE,
             Kind::Moment => Dim::MOMENT,
             Kind::Stress => Dim::STRESS,
+            Kind::Angle => Dim::ANGLE,
         }
     }
 }

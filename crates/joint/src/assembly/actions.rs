@@ -4,7 +4,7 @@
 use super::assembly::{Action as Acting, FaceLoad, FaceRule};
 use super::error::AssemblyError;
 use super::evaluate::{entry_fault, identifier, rectangle, within};
-use super::member_ends::{End, Moved, member_axes, parts};
+use super::member_ends::{End, Moved, face_axes, member_axes, parts};
 use super::small_actions::SmallActions;
 use super::template::Template;
 use crate::spec::loads::{ActionPoint, LimitState, LoadSpec};
@@ -78,8 +78,9 @@ pub(super) fn on_end(
         .collect())
 }
 
-/// Actions of a load case on the bolt plane of a member end, in the member's own axes: x′ out of
-/// the joint, y′ across, z′ up along the depth of the section.
+/// Actions of a load case on the bolt plane of a member end, in the axes of its face: x′ out of the
+/// joint, y′ across, z′ up along the depth of the section. They are those of the member unless it
+/// slopes.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PlaneActions {
     /// Load case.
@@ -131,9 +132,10 @@ pub(super) fn on_planes(
             );
         };
         let plane = within(at, end.scope.point(plane))?;
-        let axes = member_axes(at, end)?;
-        // x′ lies along a global axis
+        let axes = face_axes(at, end)?;
+        // the normal of the face lies along a global axis
         let outward = axes[0].iter().sum::<f64>().signum();
+        let slope = end.slope()?;
         let node = end.entry.points.get(&ActionPoint::Node);
         let from_node = match node {
             Some(p) => vec3::dot(vec3::sub(plane, within(at, end.scope.point(p))?), axes[0]),
@@ -146,7 +148,7 @@ pub(super) fn on_planes(
             if let Some(mask) = small.mask(load, &end.name) {
                 moved = moved.without(&mask);
             }
-            let [live, dead] = moved.parts;
+            let [live, dead] = moved.on_face(slope).parts;
             if [live, dead].as_flattened().as_flattened().iter().all(|v| *v == 0.0) {
                 continue;
             }

@@ -132,6 +132,9 @@ pub struct Part {
     pub convex: Vec<Solid>,
     /// Mid-thickness planes.
     pub mid_planes: Vec<MidPlane>,
+    /// Mid-thickness planes of turned pieces: the corners of convex polygons \[mm\].
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub oblique_planes: Vec<Vec<[f64; 3]>>,
     /// Target element size \[mm\].
     pub size: f64,
 }
@@ -200,6 +203,40 @@ pub enum Surface {
         /// Length \[mm\].
         length: f64,
     },
+}
+
+impl MidPlane {
+    /// Its corners, in order around it \[mm\].
+    pub fn corners(&self) -> [[f64; 3]; 4] {
+        let [a, b] = [(self.axis + 1) % 3, (self.axis + 2) % 3];
+        let corner = |p: f64, q: f64| {
+            let mut c = [0.0; 3];
+            (c[self.axis], c[a], c[b]) = (self.at, p, q);
+            c
+        };
+        let (low, high) = (self.min, self.max);
+        [
+            corner(low[a], low[b]),
+            corner(high[a], low[b]),
+            corner(high[a], high[b]),
+            corner(low[a], high[b]),
+        ]
+    }
+}
+
+impl Solid {
+    /// A box as a prism along z, from its lowest corner and its lengths along x, y and z \[mm\].
+    pub fn rectangle(origin: [f64; 3], [a, b, length]: [f64; 3]) -> Self {
+        let corners = [[a, 0.0], [a, b], [0.0, b], [0.0, 0.0]];
+        Solid::Prism {
+            origin,
+            u: [1.0, 0.0, 0.0],
+            v: [0.0, 1.0, 0.0],
+            start: [0.0; 2],
+            edges: corners.map(|to| OutlineEdge::Line { to }).to_vec(),
+            length,
+        }
+    }
 }
 
 impl Surface {

@@ -1,6 +1,8 @@
 //! What a joint is made of: members, plates, bolts with the parts that they clamp, and welds. Lists
 //! and drawings show it.
 
+use super::block::Block;
+use super::turn::Turn;
 use bracket_base::words::Text;
 use serde::Serialize;
 
@@ -22,6 +24,8 @@ pub enum PieceKind {
     Doubler,
     /// A rib on the beam.
     Rib,
+    /// The web or the flange of a haunch below the beam, or a stiffener of the beam at its tip.
+    Haunch,
     /// A plate of the hand checks of another family than the end plate's.
     Checked,
     /// A plate that the hand checks do not know.
@@ -37,8 +41,18 @@ pub struct Piece {
     pub label: Text,
     /// What it is.
     pub kind: PieceKind,
-    /// Its extent.
+    /// Its extent before it is turned; of a plate with an outline the box round it.
     pub extent: Extent,
+    /// How it is turned.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub turn: Option<Turn>,
+    /// Axis of its thickness and its outline on the next two axes, before it is turned, where it is
+    /// no box \[mm\].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub outline: Option<(usize, Vec<[f64; 2]>)>,
+    /// What it is in space, where it is turned or has an outline.
+    #[serde(skip)]
+    pub drawn: Vec<Block>,
     /// Axis of its height, 0 = x, where the hand checks know it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub upright: Option<usize>,
@@ -50,6 +64,24 @@ pub struct Piece {
 }
 
 impl Piece {
+    /// True if it is a box along the axes of the joint.
+    pub fn is_box(&self) -> bool {
+        self.turn.is_none() && self.outline.is_none()
+    }
+
+    /// The box round it in space.
+    pub fn bounds(&self) -> Extent {
+        bounds(&self.drawn, || self.extent)
+    }
+
+    /// What it is in space; a box is a block along y.
+    pub fn solids(&self) -> Vec<Block> {
+        match self.is_box() {
+            true => vec![Block::of(&self.extent, 1)],
+            false => self.drawn.clone(),
+        }
+    }
+
     /// Size along an axis \[mm\].
     pub fn size(&self, axis: usize) -> f64 {
         self.extent[axis][1] - self.extent[axis][0]
@@ -86,6 +118,12 @@ pub struct Length {
     pub flanges: Vec<Extent>,
     /// Its web, in pieces beside notches.
     pub web: Vec<Extent>,
+    /// How it is turned; flanges and web are those before the turn, and without its cuts.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub turn: Option<Turn>,
+    /// What it is in space, where it is turned.
+    #[serde(skip)]
+    pub drawn: Vec<Block>,
     /// True if the hand checks know it.
     pub known: bool,
     /// Steel grade.
@@ -101,10 +139,36 @@ impl Length {
         self.flanges.iter().chain(&self.web)
     }
 
-    /// Extent of the whole section.
+    /// Extent of the whole section before it is turned.
     pub fn extent(&self) -> Extent {
         self.blocks().copied().reduce(union).unwrap_or_default()
     }
+
+    /// The box round it in space.
+    pub fn bounds(&self) -> Extent {
+        bounds(&self.drawn, || self.extent())
+    }
+
+    /// What it is in space; boxes are blocks along y.
+    pub fn solids(&self) -> Vec<Block> {
+        match self.turn {
+            Some(_) => self.drawn.clone(),
+            None => self.blocks().map(|b| Block::of(b, 1)).collect(),
+        }
+    }
+
+    /// The boxes round its flanges and its web in space.
+    pub fn plates_in_space(&self) -> Vec<Extent> {
+        match self.turn {
+            Some(_) => self.drawn.iter().map(Block::bounds).collect(),
+            None => self.blocks().copied().collect(),
+        }
+    }
+}
+
+/// The box round blocks, or another one without any.
+fn bounds(blocks: &[Block], otherwise: impl Fn() -> Extent) -> Extent {
+    blocks.iter().map(Block::bounds).reduce(union).unwrap_or_else(otherwise)
 }
 
 /// A part that a bolt passes through.

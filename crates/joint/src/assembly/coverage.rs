@@ -78,6 +78,9 @@ impl Named<'_> {
                 PieceKind::Stiffener => "column stiffener",
                 PieceKind::Doubler => "web doubler",
                 PieceKind::Rib => "rib",
+                PieceKind::Haunch if p.outline.is_some() => "web of the haunch",
+                PieceKind::Haunch if is_haunch_flange(p, seen) => "flange of the haunch",
+                PieceKind::Haunch => "stiffener at the tip of the haunch",
                 PieceKind::Checked | PieceKind::Other => continue,
             };
             p.label = label.into();
@@ -90,7 +93,7 @@ impl Named<'_> {
         let plates: Vec<&Piece> =
             content.pieces.iter().filter(|p| p.kind == PieceKind::EndPlate).collect();
         for m in &mut content.members {
-            let on_a_plate = || plates.iter().any(|p| touching(&p.extent, &m.extent()).is_some());
+            let on_a_plate = || plates.iter().any(|p| touching(&p.extent, &m.bounds()).is_some());
             let bolted = || content.fasteners.iter().any(|b| b.passes(&m.part));
             m.known = m.role == entry.beam && on_a_plate()
                 || entry.column.as_ref() == Some(&m.role) && bolted();
@@ -107,8 +110,12 @@ fn kind(
     beams: &[&str],
     bolts: &[Fastener],
 ) -> PieceKind {
+    if !p.is_box() {
+        let known = beams.contains(&p.part.as_str()) && of_haunch(p, f, e);
+        return if known { PieceKind::Haunch } else { PieceKind::Other };
+    }
     let [a, y, z] = local(&p.extent, f);
-    let level = 0.5 * (e.beam.h - e.beam.tf);
+    let levels = e.flange_levels();
     if same(size(a), e.thickness)
         && same(y[0], -0.5 * e.width)
         && same(y[1], 0.5 * e.width)
@@ -122,7 +129,7 @@ fn kind(
         let s = &c.section;
         let middle = 0.5 * (z[0] + z[1]);
         if same(size(z), c.stiffener)
-            && same(middle.abs(), level)
+            && levels.iter().any(|level| same(middle, *level))
             && same(size(a), s.h - 2.0 * s.tf)
             && same(y[0].abs().max(y[1].abs()), 0.5 * s.b)
             && same(y[0].abs().min(y[1].abs()), 0.5 * s.tw)
@@ -143,12 +150,40 @@ fn kind(
     }
 }
 
+/// True if a plate of the beam is what the hand checks know of its haunch: a web with an outline, a
+/// flange that ends at the lower end of the depth, or a stiffener at its tip.
+fn of_haunch(p: &Piece, f: &Frame, e: &EndPlate) -> bool {
+    let Some(h) = e.rafter.as_ref().and_then(|r| r.haunch.as_ref()) else { return false };
+    let across = 3 - f.along - f.depth;
+    let [thickness, ..] = p.sizes();
+    let [_, y, z] = local(&p.bounds(), f);
+    let upright = p.outline.as_ref().is_some_and(|(axis, _)| *axis == across);
+    match &p.outline {
+        Some(_) => upright && same(thickness, h.web) && same(y[0], -y[1]),
+        None if is_haunch_flange(p, e) => same(z[0], -0.5 * e.depth()) && same(y[0], -y[1]),
+        None => h.stiffener > 0.0 && same(thickness, h.stiffener),
+    }
+}
+
+/// True if a plate is as thick and as wide as the flange of the haunch.
+fn is_haunch_flange(p: &Piece, e: &EndPlate) -> bool {
+    let haunch = e.rafter.as_ref().and_then(|r| r.haunch.as_ref());
+    let [thickness, a, b] = p.sizes();
+    let fits = |h: &super::rafter::Haunch| {
+        same(thickness, h.flange) && (same(a, h.width) || same(b, h.width))
+    };
+    p.outline.is_none() && haunch.is_some_and(fits)
+}
+
 /// What the hand checks count and the geometry lacks.
 fn absent(content: &Content, e: &EndPlate, frames: &[Frame]) -> Vec<NotChecked> {
     let count = |kind: PieceKind| content.pieces.iter().filter(|p| p.kind == kind).count();
     let column = |of: fn(&super::ColumnSide) -> f64| e.column.as_ref().map_or(0.0, of) > 0.0;
     let plates = if e.column.is_some() { frames.len() } else { 2 };
+    let haunch = e.rafter.as_ref().and_then(|r| r.haunch.as_ref());
+    let of_haunch = plates * haunch.map_or(0, |h| if h.stiffener > 0.0 { 4 } else { 2 });
     [
+        (haunch.is_some(), PieceKind::Haunch, of_haunch, "haunch", "haunch"),
         (true, PieceKind::EndPlate, plates, "end plates", "plate"),
         (column(|c| c.stiffener), PieceKind::Stiffener, 4, "stiffeners of the column", "stiffener"),
         (column(|c| c.doubler), PieceKind::Doubler, 1, "web doubler", "doubler"),
@@ -337,15 +372,14 @@ fn strange_welds(
         };
         w.between.iter().all(|p| is(p))
     };
+    let flanges = e.flanges();
     let agrees = |w: &&WeldRule| {
         let super::assembly::Surface::Plane { min, max, .. } = w.surface else { return false };
         let surface: Extent = std::array::from_fn(|k| [min[k], max[k]]);
         frames.iter().any(|f| {
             let [_, _, z] = local(&surface, f).map(|i| [i[0], i[1]]);
-            let (outer, inner) = (0.5 * e.beam.h, 0.5 * e.beam.h - e.beam.tf);
-            let of_flange =
-                same(z[0].abs().min(z[1].abs()), inner) && same(z[0].abs().max(z[1].abs()), outer);
-            let of_web = same(z[0], -inner) && same(z[1], inner);
+            let of_flange = flanges.iter().any(|f| same(z[0], f[0]) && same(z[1], f[1]));
+            let of_web = flanges.windows(2).any(|f| same(z[0], f[0][1]) && same(z[1], f[1][0]));
             of_flange && same(w.throat, e.flange_throat) || of_web && same(w.throat, e.web_throat)
         })
     };
@@ -385,13 +419,13 @@ pub(super) fn seams(content: &Content, assembly: &Assembly) -> Vec<Seam> {
     for (i, p) in unknown.iter().enumerate() {
         // each pair of them once
         let later = |o: &&Piece| !unknown[..=i].iter().any(|u| std::ptr::eq(*u, *o));
-        let pieces = content.pieces.iter().filter(later).map(|o| (&o.part, vec![o.extent]));
-        let members = content.members.iter().map(|m| (&m.part, m.blocks().copied().collect()));
+        let pieces = content.pieces.iter().filter(later).map(|o| (&o.part, vec![o.bounds()]));
+        let members = content.members.iter().map(|m| (&m.part, m.plates_in_space()));
         for (part, extents) in pieces.chain(members) {
             if part != &p.part && joined(part, &p.part) {
                 continue;
             }
-            let sides = extents.iter().filter_map(|e| touching(&p.extent, e));
+            let sides = extents.iter().filter_map(|e| touching(&p.bounds(), e));
             let length: f64 = sides.map(|[_, longer]| longer).sum();
             let between = [p.part.clone(), part.clone()];
             match out.iter_mut().find(|s| s.throat == 0.0 && s.between == between) {

@@ -177,6 +177,28 @@ impl EndPlate {
         self.rafter.as_ref().map_or(self.beam.h, |r| r.depth)
     }
 
+    /// The flanges at the plate, the lowest first: from z to z \[mm\]. A haunch has its own flange
+    /// below those of the beam.
+    pub fn flanges(&self) -> Vec<[f64; 2]> {
+        let half = 0.5 * self.depth();
+        let Some(r) = &self.rafter else {
+            let t = self.beam.tf;
+            return vec![[-half, -half + t], [half - t, half]];
+        };
+        let (t, height) = (self.beam.tf / r.slope.cos(), self.beam.h / r.slope.cos());
+        let mut out = vec![[half - height, half - height + t], [half - t, half]];
+        if let Some(h) = &r.haunch {
+            out.insert(0, [-half, -half + h.flange / r.lower_slope().cos()]);
+        }
+        out
+    }
+
+    /// The middles of the lowest and the highest flange at the plate: z \[mm\].
+    pub fn flange_levels(&self) -> [f64; 2] {
+        let all = self.flanges();
+        [all[0], all[all.len() - 1]].map(|f| 0.5 * (f[0] + f[1]))
+    }
+
     /// y of every column of bolts \[mm\].
     pub fn columns(&self) -> Vec<f64> {
         let pair = |gauge: f64| [-0.5 * gauge, 0.5 * gauge];

@@ -102,14 +102,14 @@ impl Expected {
     ) -> Result<Vec<NotChecked>, AssemblyError> {
         self.bolts_agree(&content.fasteners)?;
         for p in &mut content.pieces {
-            let is = |e: &&ExpectedPlate| same_extent(&e.extent, &p.extent);
+            let is = |e: &&ExpectedPlate| p.is_box() && same_extent(&e.extent, &p.extent);
             if let Some(found) = self.plates.iter().find(is) {
                 p.kind = PieceKind::Checked;
                 p.label = found.label.into();
             }
         }
         for m in &mut content.members {
-            m.known = self.members.iter().any(|e| e.role == m.role);
+            m.known = m.turn.is_none() && self.members.iter().any(|e| e.role == m.role);
         }
         let mut out = self.absent(content);
         out.extend(self.other_plies(content));
@@ -147,8 +147,9 @@ impl Expected {
 
     /// What the checks count and the geometry lacks.
     fn absent(&self, content: &Content) -> Vec<NotChecked> {
-        let absent =
-            |e: &&ExpectedPlate| !content.pieces.iter().any(|p| same_extent(&e.extent, &p.extent));
+        let absent = |e: &&ExpectedPlate| {
+            !content.pieces.iter().any(|p| p.is_box() && same_extent(&e.extent, &p.extent))
+        };
         let one = |e: &ExpectedPlate| {
             let why = "`hand_checks` of the template counts it, and the parts of the template have \
                        none at that place with these sizes";

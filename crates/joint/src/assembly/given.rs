@@ -95,18 +95,25 @@ fn parameter(p: &Parameter, value: &ParameterValue) -> Result<Given, (String, St
     let wanted = match p.kind {
         ParameterKind::Length => "write a length: mm, cm, m, in, or a bare number for mm",
         ParameterKind::Number => "write a plain number",
+        ParameterKind::Angle => "write an angle: 6 deg, 0.1 rad",
         ParameterKind::Flag => "write true or false",
         ParameterKind::Lengths => "write a list of lengths: [-100 mm, 100 mm]",
     };
-    let quantity = |r: Result<f64, units::UnitError>| {
-        r.map(|v| Given::One(Value::length(v))).map_err(|e| (e.to_string(), wanted.to_owned()))
+    let quantity = |r: Result<f64, units::UnitError>, of: fn(f64) -> Value| {
+        r.map(|v| Given::One(of(v))).map_err(|e| (e.to_string(), wanted.to_owned()))
     };
     match (p.kind, value) {
         (ParameterKind::Length, ParameterValue::Number(x)) => {
-            quantity(units::bare(*x, units::Kind::Length))
+            quantity(units::bare(*x, units::Kind::Length), Value::length)
         }
         (ParameterKind::Length, ParameterValue::Text(t)) => {
-            quantity(units::parse(t, units::Kind::Length))
+            quantity(units::parse(t, units::Kind::Length), Value::length)
+        }
+        (ParameterKind::Angle, ParameterValue::Number(x)) => {
+            quantity(units::bare(*x, units::Kind::Angle), Value::angle)
+        }
+        (ParameterKind::Angle, ParameterValue::Text(t)) => {
+            quantity(units::parse(t, units::Kind::Angle), Value::angle)
         }
         (ParameterKind::Number, ParameterValue::Number(x)) => Ok(Given::One(Value::number(*x))),
         (ParameterKind::Flag, ParameterValue::Flag(f)) => Ok(Given::One(Value::Truth(*f))),

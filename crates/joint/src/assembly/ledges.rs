@@ -81,8 +81,14 @@ impl Places {
                 let ends = edges.iter().map(|e| match e {
                     OutlineEdge::Line { to } | OutlineEdge::Arc { to, .. } => to,
                 });
+                // an oblique profile has a face across an axis only where its own directions lie on it
+                let across = |k: usize| {
+                    [u[k], v[k], along[k] / length]
+                        .iter()
+                        .all(|c| c.abs() < 1e-9 || c.abs() > 1.0 - 1e-9)
+                };
                 for p in ends.chain([start]) {
-                    for k in 0..3 {
+                    for k in (0..3).filter(|k| across(*k)) {
                         let at = origin[k] + p[0] * u[k] + p[1] * v[k];
                         self.0[k].extend([at, at + along[k]]);
                     }

@@ -35,6 +35,12 @@ impl End<'_> {
         within(&self.entry.name, self.scope.text(&self.entry.part))
     }
 
+    /// Angle by which the member rises against the normal of its face \[rad\].
+    pub fn slope(&self) -> Result<f64, AssemblyError> {
+        let slope = self.entry.slope.as_ref();
+        slope.map_or(Ok(0.0), |e| within(&self.entry.name, self.scope.angle(e)))
+    }
+
     /// A point of the end in global axes \[mm\]; `None` if it has no such point.
     pub fn point(&self, point: ActionPoint) -> Result<Option<V3>, AssemblyError> {
         let found = self.entry.points.get(&point);
@@ -54,6 +60,17 @@ impl End<'_> {
 }
 
 impl Moved {
+    /// The components along the axes of the face instead of those of a member with this slope
+    /// \[rad\].
+    pub fn on_face(mut self, slope: f64) -> Self {
+        let (sin, cos) = slope.sin_cos();
+        for vector in self.parts.as_flattened_mut() {
+            let [x, y, z] = *vector;
+            *vector = [cos * x - sin * z, y, sin * x + cos * z];
+        }
+        self
+    }
+
     /// Without the components of a mask.
     pub fn without(mut self, mask: &Mask) -> Self {
         for part in &mut self.parts {
@@ -123,6 +140,15 @@ pub(super) fn frames(ends: &[End<'_>], wanted: &[String]) -> Result<Vec<Frame>, 
 
 /// The member's own axes x′, y′, z′ in global ones.
 pub(super) fn member_axes(at: &str, end: &End<'_>) -> Result<[V3; 3], AssemblyError> {
+    let [x, y, z] = face_axes(at, end)?;
+    let (sin, cos) = end.slope()?.sin_cos();
+    let both = |a: f64, v: V3, b: f64, w: V3| vec3::along(v.map(|c| a * c), b, w);
+    Ok([both(cos, x, sin, z), y, both(cos, z, -sin, x)])
+}
+
+/// The axes of the end's face in global ones: its normal out of the joint, across, along the depth.
+/// Without a slope they are those of the member.
+pub(super) fn face_axes(at: &str, end: &End<'_>) -> Result<[V3; 3], AssemblyError> {
     let outward = within(at, end.scope.number(&end.entry.outward))?;
     if outward.abs() != 1.0 {
         return entry_fault(at, format!("`outward` is {outward}, not 1 or -1"));

@@ -3,6 +3,7 @@
 pub mod actions;
 #[allow(clippy::module_inception)] // a file is named for its noun, and this one holds `Assembly`
 pub mod assembly;
+pub mod block;
 mod builder;
 pub mod code_values;
 pub mod column_ends;
@@ -37,6 +38,7 @@ mod splice_entry;
 pub mod symmetry;
 pub mod template;
 pub mod template_file;
+pub mod turn;
 
 pub use actions::PlaneActions;
 pub use assembly::Assembly;

@@ -1,8 +1,11 @@
 //! Solids of parts: rolled sections, boxes, bolts and their holes, and the convex pieces of parts.
 
 use super::assembly::{MidPlane, OutlineEdge, Solid};
+use super::block::Block;
 use super::content::{Extent, minus};
+use super::turn::Turn;
 use crate::catalog::{BoltSize, IProfile};
+use bracket_base::math::vec3::V3;
 
 /// Number of wedges that approximate a root fillet in clash checks; the error of the chord is 0.2 %
 /// of the radius.
@@ -136,8 +139,56 @@ impl Placed<'_> {
         for block in self.blocks().into_iter().flat_map(|b| without(b, cuts)) {
             out.extend(perforated(block, holes));
         }
+        for wedge in self.wedges() {
+            let [sw, sd] = wedge.side;
+            let across = [sw * w, sw * (w + r)];
+            let bounds = self.block(across, [sd * f, sd * (f - r)]).map(ordered);
+            for left in without(bounds, cuts) {
+                // a piece that a cut leaves only a part of is left out over the whole cut
+                let whole = (0..3).all(|k| k == self.along || left[k] == bounds[k]);
+                if whole {
+                    out.push(self.wedge(&wedge, left[self.along]));
+                }
+            }
+        }
+        out
+    }
+
+    /// The wedges of the fillets of a turned profile. Where a cut meets an edge of a wedge, the
+    /// wedge is left out.
+    pub fn turned_fillets(&self, turn: &Turn, cuts: &[Extent]) -> Vec<Solid> {
+        let (u, v) = self.frame();
+        let mut out = Vec::new();
+        for wedge in self.wedges() {
+            let line = |q: [f64; 2]| {
+                let q = self.turn(q);
+                self.span.map(|at| {
+                    let mut p = self.centre;
+                    p[self.along] = at;
+                    (p[u], p[v]) = (p[u] + q[0], p[v] + q[1]);
+                    turn.point(p)
+                })
+            };
+            let lines = wedge.corners.map(line);
+            let inside = cuts.iter().flat_map(|c| lines.iter().filter_map(|l| inside(l, c)));
+            let [a, b] = self.span;
+            let mut left = vec![self.span];
+            for [from, to] in inside {
+                let [from, to] = [from, to].map(|f| a + f * (b - a));
+                let beside = |[x, y]: [f64; 2]| [[x, y.min(from)], [x.max(to), y]];
+                left = left.into_iter().flat_map(beside).filter(|[x, y]| y - x > 1e-3).collect();
+            }
+            out.extend(left.into_iter().map(|span| turn.solid(&self.wedge(&wedge, span))));
+        }
+        out
+    }
+
+    /// The triangles that approximate the root fillets.
+    fn wedges(&self) -> Vec<Wedge> {
+        let p = self.profile;
+        let (w, f, r) = (p.tw / 2.0, p.h / 2.0 - p.tf, p.r);
+        let mut out = Vec::new();
         for (sw, sd) in [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)] {
-            let corner = [sw * w, sd * f];
             let arc = |i: usize| {
                 let a = std::f64::consts::FRAC_PI_2 * i as f64 / FILLET_WEDGES as f64;
                 [sw * (w + r - r * a.cos()), sd * (f - r + r * a.sin())]
@@ -147,21 +198,16 @@ impl Placed<'_> {
                 // on the quadrant
                 let (from, to) =
                     if sw * sd > 0.0 { (arc(i), arc(i + 1)) } else { (arc(i + 1), arc(i)) };
-                let start = self.turn(corner);
-                let edges = [from, to, corner].map(|q| OutlineEdge::Line { to: self.turn(q) });
-                let across = [sw * w, sw * (w + r)];
-                let bounds = self.block(across, [sd * f, sd * (f - r)]).map(ordered);
-                for left in without(bounds, cuts) {
-                    // a piece that a cut leaves only a part of is left out over the whole cut
-                    let whole = (0..3).all(|k| k == self.along || left[k] == bounds[k]);
-                    if whole {
-                        let piece = Placed { span: left[self.along], ..*self };
-                        out.push(piece.prism(start, edges.to_vec()));
-                    }
-                }
+                out.push(Wedge { side: [sw, sd], corners: [from, to, [sw * w, sd * f]] });
             }
         }
         out
+    }
+
+    fn wedge(&self, wedge: &Wedge, span: [f64; 2]) -> Solid {
+        let edges = wedge.corners.map(|q| OutlineEdge::Line { to: self.turn(q) });
+        let piece = Placed { span, ..*self };
+        piece.prism(self.turn(wedge.corners[2]), edges.to_vec())
     }
 
     /// Mid-thickness planes of the flanges and of the web. The web's plane ends on those of the
@@ -182,6 +228,30 @@ impl Placed<'_> {
             plane(self.width(), self.block([0.0, 0.0], [-middle, middle])),
         ]
     }
+}
+
+/// A triangle of a root fillet: the side of the web and of the axis on which it is, +1 or −1, and
+/// its corners across and along the depth, the last in the root \[mm\].
+struct Wedge {
+    side: [f64; 2],
+    corners: [[f64; 2]; 3],
+}
+
+/// The fractions of a line between which it runs inside a box; `None`: it does not meet it.
+fn inside([a, b]: &[V3; 2], cut: &Extent) -> Option<[f64; 2]> {
+    let mut out = [0.0f64, 1.0];
+    for k in 0..3 {
+        let d = b[k] - a[k];
+        if d.abs() < 1e-9 {
+            if a[k] <= cut[k][0] || a[k] >= cut[k][1] {
+                return None;
+            }
+            continue;
+        }
+        let ends = cut[k].map(|x| (x - a[k]) / d);
+        out = [out[0].max(ends[0].min(ends[1])), out[1].min(ends[0].max(ends[1]))];
+    }
+    (out[0] < out[1]).then_some(out)
 }
 
 /// A cylindrical hole, and the bolt shank in it.
@@ -292,6 +362,30 @@ fn ordered([a, b]: [f64; 2]) -> [f64; 2] {
 pub fn without(of: Extent, cuts: &[Extent]) -> Vec<Extent> {
     let cut = |left: Vec<Extent>, c: &Extent| left.into_iter().flat_map(|e| minus(e, c)).collect();
     cuts.iter().fold(vec![of], cut)
+}
+
+/// Convex pieces of a block, with the squares about its holes left free, and what a square about a
+/// hole along the block's axis takes too much.
+pub fn around_holes(block: &Block, holes: &[Hole]) -> Vec<Solid> {
+    let bounds = block.bounds();
+    let mut left = vec![block.clone()];
+    let mut corners = Vec::new();
+    for h in holes {
+        let (a, b) = (h.point(0.0)[h.axis], h.point(h.length)[h.axis]);
+        let square: Extent = std::array::from_fn(|k| match k == h.axis {
+            true => [a.min(b), a.max(b)],
+            false => [h.base[k] - h.spared(), h.base[k] + h.spared()],
+        });
+        let inside = (0..3)
+            .all(|k| k == h.axis || bounds[k][0] < square[k][0] && square[k][1] < bounds[k][1]);
+        let before = left.len();
+        left = left.iter().flat_map(|b| b.minus(&square)).collect();
+        if h.axis == block.axis && inside && left.len() > before {
+            let (u, v) = ((h.axis + 1) % 3, (h.axis + 2) % 3);
+            corners.extend(corners_around(h, block.span, u, v));
+        }
+    }
+    left.iter().map(Block::solid).chain(corners).collect()
 }
 
 /// Convex pieces of a box, with the holes that pass right through it left free.

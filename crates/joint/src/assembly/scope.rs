@@ -407,6 +407,7 @@ impl Values for Scope {
     fn give(&mut self, name: &str, expr: &Expr, dim: Option<Dim>) -> Result<(), ExprError> {
         let value = match dim {
             Some(Dim::LENGTH) => Value::length(self.length(expr)?),
+            Some(Dim::ANGLE) => Value::angle(self.angle(expr)?),
             _ => expr.eval(&mut |n| self.get(n))?,
         };
         self.set(name, value);
@@ -433,6 +434,7 @@ fn dim_of(p: &Parameter) -> Option<Dim> {
     match p.kind {
         ParameterKind::Length | ParameterKind::Lengths => Some(Dim::LENGTH),
         ParameterKind::Number => Some(Dim::NONE),
+        ParameterKind::Angle => Some(Dim::ANGLE),
         ParameterKind::Flag => None,
     }
 }

@@ -20,7 +20,10 @@ pub use cover_splice::CoverSpliceEntry;
 pub use hand_check_entry::HandCheckEntry;
 pub use hand_checks::{EndPlateEntry, HaunchEntry, RafterEntry};
 pub use parameter::{Default, Parameter, ParameterKind};
-pub use parts::{BoxEntry, CutEntry, MidEntry, PartEntry, ProfileEntry, RoleEntry, SolidEntry};
+pub use parts::{
+    BoxEntry, CutEntry, MidEntry, PartEntry, PrismEntry, ProfileEntry, RoleEntry, SolidEntry,
+    TurnEntry,
+};
 pub use simple_joint::{PlateKind, SimpleJointEntry};
 
 use crate::spec::expr::Expr;

@@ -1,11 +1,12 @@
 //! Volumes, contact areas and face areas of flat-faced solids, exact up to rounding.
 //!
 //! A plane section is swept by lines. Between two neighbouring corners, the length of a line inside
-//! the section changes linearly, so two Gauss points per strip integrate it exactly. Only strips in
-//! which edges of different prisms cross are approximate; those strips are halved. The method
-//! depends neither on the CAD kernel nor on the mesh, and both are checked against it.
+//! the section changes linearly, so two Gauss points per strip integrate it exactly. Where faces of
+//! an oblique prism cross those of another one, the crossings count as corners. Only strips in
+//! which edges of other prisms cross are approximate; those strips are halved. The method depends
+//! neither on the CAD kernel nor on the mesh, and both are checked against it.
 
-use super::flat::{FlatPrism, FlatSolid};
+use super::flat::{Bounds, FlatPrism, FlatSolid};
 use super::line::{Line, intersect, length, subtract, unite};
 use super::scene::Body;
 use crate::assembly::assembly::Surface;
@@ -73,7 +74,38 @@ impl Plane {
                 out.push(-self.origin[axis] / self.e[axis]);
             }
         }
+        let prisms: Vec<&FlatPrism> = solids.iter().flat_map(|s| s.prisms()).collect();
+        for (i, a) in prisms.iter().enumerate() {
+            for b in prisms[..i].iter().filter(|b| is_oblique(a) || is_oblique(b)) {
+                out.extend(self.crossings(a, b).map(place));
+            }
+        }
         out
+    }
+
+    /// Points of the plane in which a face of one prism crosses a face of another one.
+    fn crossings<'a>(
+        &'a self,
+        a: &'a FlatPrism,
+        b: &'a FlatPrism,
+    ) -> impl Iterator<Item = V3> + 'a {
+        let (of_a, of_b) =
+            (FlatSolid::Prism(a.clone()).bounds(), FlatSolid::Prism(b.clone()).bounds());
+        let meet = of_a.near(&of_b, BESIDE);
+        let inside = move |p: &V3| {
+            let point = Bounds { min: *p, max: *p };
+            of_a.near(&point, BESIDE) && of_b.near(&point, BESIDE)
+        };
+        let pairs = faces_of(a).flat_map(move |f| faces_of(b).map(move |g| [f, g]));
+        let at = |[f, g]: [Plane; 2]| {
+            let (n, m, k) = (self.normal, f.normal, g.normal);
+            let volume = dot(n, cross(m, k));
+            let heights = [dot(n, self.origin), dot(m, f.origin), dot(k, g.origin)];
+            let normals = [cross(m, k), cross(k, n), cross(n, m)];
+            let sum = |c: usize| (0..3).map(|i| heights[i] * normals[i][c]).sum::<f64>() / volume;
+            (volume.abs() > 1e-6).then(|| std::array::from_fn(sum))
+        };
+        pairs.filter(move |_| meet).filter_map(at).filter(inside)
     }
 
     /// Integral of `measure` over all lines of the sweep.
@@ -103,6 +135,13 @@ impl Plane {
 /// Volume of the kept part of a body \[mm³\].
 pub fn volume(body: &Body) -> f64 {
     // Sweep along the axis with the fewest distinct corners, because it needs the fewest sections.
+    // Across an axis that is a direction of every prism the sections change linearly.
+    let prisms = body.solid.prisms();
+    let straight = |axis: &usize| {
+        prisms.iter().all(|p| [p.u, p.v, p.w].iter().any(|d| d[*axis].abs() > 1.0 - 1e-9))
+    };
+    let axes: Vec<usize> = (0..3).filter(straight).collect();
+    let axes = if axes.is_empty() { vec![0, 1, 2] } else { axes };
     let corners: Vec<V3> = body.solid.prisms().iter().flat_map(|p| p.corners()).collect();
     let levels = |axis: usize| {
         let mut at: Vec<f64> = corners.iter().map(|c| c[axis]).collect();
@@ -113,7 +152,7 @@ pub fn volume(body: &Body) -> f64 {
         at.dedup_by(|b, a| *b - *a < 1e-9);
         at
     };
-    let best = (0..3).map(levels).enumerate().min_by_key(|(_, l)| l.len());
+    let best = axes.into_iter().map(|k| (k, levels(k))).min_by_key(|(_, l)| l.len());
     let Some((axis, at)) = best else { return 0.0 };
     let section = |x: f64| section_area(body, axis, x);
     let gauss = 0.5 / 3f64.sqrt();
@@ -251,17 +290,26 @@ fn planes_of(solid: &FlatSolid) -> Vec<Plane> {
         }
     };
     for prism in solid.prisms() {
-        let cap = |h: f64| Plane {
-            origin: along(prism.origin, h, prism.w),
-            normal: prism.w,
-            d: prism.u,
-            e: prism.v,
-        };
-        add(cap(0.0));
-        add(cap(prism.length));
-        side_planes(prism).for_each(&mut add);
+        faces_of(prism).for_each(&mut add);
     }
     out
+}
+
+/// The planes of both ends of a prism, then of its sides.
+fn faces_of(prism: &FlatPrism) -> impl Iterator<Item = Plane> + '_ {
+    let cap = |h: f64| Plane {
+        origin: along(prism.origin, h, prism.w),
+        normal: prism.w,
+        d: prism.u,
+        e: prism.v,
+    };
+    [cap(0.0), cap(prism.length)].into_iter().chain(side_planes(prism))
+}
+
+/// True if a direction of a prism is none of the coordinate axes.
+fn is_oblique(prism: &FlatPrism) -> bool {
+    let off = |d: &V3| d.iter().all(|c| c.abs() < 1.0 - 1e-9);
+    [prism.u, prism.v, prism.w].iter().any(off)
 }
 
 fn side_planes(prism: &FlatPrism) -> impl Iterator<Item = Plane> + '_ {
@@ -290,6 +338,7 @@ mod tests {
             solid,
             convex: vec![],
             mid_planes: vec![],
+            oblique_planes: vec![],
             size: 10.0,
         }
     }
@@ -321,6 +370,43 @@ mod tests {
         assert!((whole / (15.0 * (4800.0 - hole)) - 1.0).abs() < 1e-9, "{whole}");
         let half = volume(&body(&p, vec![1]));
         assert!((half / whole - 0.5).abs() < 1e-9, "{half}");
+    }
+
+    /// A bar of 20 x 10 mm that slopes by 20° between two upright cuts 100 mm apart, with a wedge
+    /// on it: area times length along the slope, and what of the wedge is not in the bar.
+    #[test]
+    fn volume_of_a_sloping_bar_between_upright_cuts_is_exact() {
+        let turn =
+            crate::assembly::turn::Turn { axis: 1, angle: -20f64.to_radians(), at: [0.0; 3] };
+        let block =
+            |x: [f64; 2]| Solid::Box { min: [x[0], -50.0, -300.0], max: [x[1], 50.0, 300.0] };
+        let bar = turn.solid(&Solid::Box { min: [-50.0, 0.0, -10.0], max: [300.0, 20.0, 0.0] });
+        let cut =
+            |solid| Solid::Difference(vec![solid, block([-200.0, 0.0]), block([100.0, 400.0])]);
+        let (sin, cos) = 20f64.to_radians().sin_cos();
+        let p = part(cut(bar.clone()));
+        let exact = 20.0 * 10.0 * 100.0 / cos;
+        let found = volume(&body(&p, vec![]));
+        assert!((found / exact - 1.0).abs() < 1e-9, "{found} {exact}");
+        // a triangle upright on the x axis, of which the bar's upper side cuts off a smaller one
+        let wedge =
+            crate::assembly::block::prism(1, [0.0, 20.0], &[[0.0, 0.0], [40.0, 0.0], [0.0, 100.0]]);
+        let p = part(Solid::Union(vec![cut(bar), wedge]));
+        let found = volume(&body(&p, vec![]));
+        // above the line z = x tan 20° below the hypotenuse z = 40 − 0.4 x
+        let above = 0.5 * 40.0 * 40.0 / (0.4 + sin / cos);
+        // between the two sides of the bar the wedge adds nothing, below the lower side it does
+        let lower = 10.0 / cos;
+        let corner = lower / (sin / cos);
+        let below = if corner < 100.0 {
+            // the region z ≥ 0 below z = x tan 20° − 10/cos 20° and below the hypotenuse
+            let meet = (40.0 + lower) / (sin / cos + 0.4);
+            0.5 * (100.0 - corner) * (40.0 - 0.4 * meet)
+        } else {
+            0.0
+        };
+        let exact = exact + 20.0 * (above + below);
+        assert!((found / exact - 1.0).abs() < 1e-9, "{found} {exact}");
     }
 
     #[test]

@@ -73,6 +73,7 @@ fn part(
         solid,
         convex,
         mid_planes: vec![],
+        oblique_planes: vec![],
         size,
     }
 }

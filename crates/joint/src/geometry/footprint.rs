@@ -1,8 +1,8 @@
 //! Rectangles that are imprinted on faces: footprints of supports and loads, and welds.
 
 use super::scene::{ON_PLANE, Scene};
-use crate::assembly::assembly::{FaceRule, Surface};
-use bracket_base::math::vec3::V3;
+use crate::assembly::assembly::{FaceRule, MidPlane, Surface};
+use bracket_base::math::vec3::{V3, along, sub};
 
 /// A rectangle of a coordinate plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,21 +31,8 @@ impl Rectangle {
 
     /// The corners, in order around the rectangle.
     pub fn corners(&self) -> [V3; 4] {
-        let [a, b] = self.sides();
-        let corner = |p: f64, q: f64| {
-            let mut c = [0.0; 3];
-            c[self.axis] = self.at;
-            c[a] = p;
-            c[b] = q;
-            c
-        };
-        let (low, high) = (self.min, self.max);
-        [
-            corner(low[a], low[b]),
-            corner(high[a], low[b]),
-            corner(high[a], high[b]),
-            corner(low[a], high[b]),
-        ]
+        let &Self { axis, at, min, max } = self;
+        MidPlane { axis, at, min, max }.corners()
     }
 
     /// The kept part; `None` if nothing of it is kept or it lies on a symmetry plane.
@@ -64,6 +51,29 @@ impl Rectangle {
         }
         Some(self)
     }
+}
+
+/// The kept part of a convex polygon; `None` if nothing of it is kept or it lies on a symmetry
+/// plane.
+pub fn clipped(polygon: &[V3], planes: &[usize]) -> Option<Vec<V3>> {
+    let mut kept = polygon.to_vec();
+    for &k in planes {
+        let mut out = Vec::with_capacity(kept.len() + 2);
+        for (i, p) in kept.iter().enumerate() {
+            let q = &kept[(i + 1) % kept.len()];
+            if p[k] >= 0.0 {
+                out.push(*p);
+            }
+            if p[k] * q[k] < 0.0 {
+                out.push(along(*p, p[k] / (p[k] - q[k]), sub(*q, *p)));
+            }
+        }
+        if out.iter().all(|p| p[k] <= ON_PLANE) {
+            return None;
+        }
+        kept = out;
+    }
+    Some(kept)
 }
 
 fn rectangle(face: &FaceRule) -> Option<Rectangle> {

@@ -5,7 +5,7 @@
 //! with success after many kinds of error.
 
 use super::flat::{FlatPrism, FlatSolid};
-use super::footprint::{Rectangle, footprints, weld_lines};
+use super::footprint::{self, Rectangle, footprints, weld_lines};
 use super::scene::{Body, Scene};
 use super::size::{self, SizeRule};
 use crate::assembly::assembly::{MidPlane, OutlineEdge, Solid};
@@ -47,12 +47,13 @@ pub fn script(scene: &Scene, purpose: Purpose) -> String {
     w.line("Geometry.OCCUnionUnify = 1;");
     w.line("Geometry.OCCBooleanPreserveNumbering = 1;");
     for (i, body) in scene.bodies.iter().enumerate() {
-        let layered =
-            matches!(purpose, Purpose::Mesh { layers: true, .. }).then_some(&body.part.mid_planes);
+        let layers = matches!(purpose, Purpose::Mesh { layers: true, .. });
+        let layered = layers.then_some(&body.part.mid_planes);
+        let oblique = if layers { body.part.oblique_planes.as_slice() } else { &[] };
         let cuts = (!w.exact).then(|| scene.shank_cuts(body.part));
         let planes: Vec<MidPlane> =
             layered.into_iter().flatten().copied().chain(cuts.into_iter().flatten()).collect();
-        w.body(i, body, &planes);
+        w.body(i, body, &planes, oblique);
     }
     if let Purpose::Mesh { sizes, .. } = purpose {
         w.footprints(scene);
@@ -102,7 +103,7 @@ impl Writer {
 
     /// One part: its solid, cut by symmetry planes and by planes inside it. The list `partI()`
     /// contains its volumes.
-    fn body(&mut self, index: usize, body: &Body, planes: &[MidPlane]) {
+    fn body(&mut self, index: usize, body: &Body, planes: &[MidPlane], oblique: &[Vec<V3>]) {
         self.put(format_args!("// {}", body.part.name));
         if index > 0 {
             self.line("before() = Volume{:};");
@@ -111,7 +112,7 @@ impl Writer {
         for axis in body.cuts() {
             list = self.keep_positive(&list, axis, body);
         }
-        self.inner_planes(&list, body, planes);
+        self.inner_planes(&list, body, planes, oblique);
         self.put(format_args!("part{index}() = Volume{{:}};"));
         if index > 0 {
             self.put(format_args!("part{index}() -= before();"));
@@ -266,19 +267,18 @@ impl Writer {
     /// Cuts the volumes by the pieces of planes (mid-thickness planes, sections of shanks)
     /// inside them. A piece that ends inside the part stays as an inner face, so it needs no exact
     /// fit.
-    fn inner_planes(&mut self, list: &str, body: &Body, planes: &[MidPlane]) {
-        let kept: Vec<_> = planes
-            .iter()
-            .filter_map(|&MidPlane { axis, at, min, max }| {
-                Rectangle { axis, at, min, max }.clip(&body.planes)
-            })
-            .collect();
+    fn inner_planes(&mut self, list: &str, body: &Body, planes: &[MidPlane], oblique: &[Vec<V3>]) {
+        let rectangles = planes.iter().filter_map(|&MidPlane { axis, at, min, max }| {
+            Some(Rectangle { axis, at, min, max }.clip(&body.planes)?.corners().to_vec())
+        });
+        let polygons = oblique.iter().filter_map(|p| footprint::clipped(p, &body.planes));
+        let kept: Vec<Vec<V3>> = rectangles.chain(polygons).collect();
         if kept.is_empty() {
             return;
         }
         self.line("m() = {};");
         for plane in kept {
-            self.polygon(&plane.corners());
+            self.polygon(&plane);
             self.put(format_args!(
                 "t() = BooleanIntersection{{ Surface{{s}}; Delete; }}{{ Volume{{{list}}}; }};"
             ));

@@ -194,7 +194,8 @@ fn further(
         (cut[0] < cut[1]).then_some(cut)
     };
     for p in joint.pieces.iter().filter(|p| p.kind == PieceKind::Other) {
-        if let (Some(x), Some(z)) = (within(p.extent[across], wide), within(p.extent[2], high)) {
+        let e = p.bounds();
+        if let (Some(x), Some(z)) = (within(e[across], wide), within(e[2], high)) {
             d.rectangle(Pen::Edge, FURTHER, s.at(x[0], z[0]), s.at(x[1], z[1]));
         }
     }
@@ -231,7 +232,7 @@ fn front_view(d: &mut Drawing, e: &EndPlate, joint: &Content, s: &Scale, [low, h
     // those in front of the end plate
     let face = e.column.as_ref().map_or(0.0, |c| 0.5 * c.section.h);
     let mut front = joint.clone();
-    front.pieces.retain(|p| p.extent[0][1] > face + e.thickness);
+    front.pieces.retain(|p| p.bounds()[0][1] > face + e.thickness);
     further(d, s, &front, 1, [-2.0 * w, 2.0 * w], [low, high]);
     for &z in &e.rows {
         for y in e.columns() {

@@ -7,6 +7,7 @@ use bracket_base::words::Text;
 use bracket_codes::check::number as n;
 use bracket_codes::end_plate::{PartSize, parts_list};
 use bracket_joint::assembly::Content;
+use bracket_joint::assembly::block::Block;
 use bracket_joint::assembly::content::{Extent, union};
 
 /// Largest height and width of a view on the page \[pixels\].
@@ -47,8 +48,8 @@ fn sheet(joint: &Content) -> Drawing {
 /// sections are high. `None` for a joint without solids.
 fn window(joint: &Content) -> Option<Extent> {
     let all = |extents: &mut dyn Iterator<Item = Extent>| extents.reduce(union);
-    let members = all(&mut joint.members.iter().map(|m| m.extent()));
-    let pieces = joint.pieces.iter().map(|p| p.extent);
+    let members = all(&mut joint.members.iter().map(|m| m.bounds()));
+    let pieces = joint.pieces.iter().map(|p| p.bounds());
     let bolts = joint.fasteners.iter().map(|b| {
         let mut e = b.head.map(|x| [x, x]);
         let nut = b.head[b.axis] + b.toward * b.grip();
@@ -107,23 +108,18 @@ impl View {
 
     /// Members, plates and bolts, the farthest first; the outlines of plates over them.
     fn solids(&self, d: &mut Drawing, joint: &Content, window: &Extent) {
-        let blocks = joint.members.iter().flat_map(|m| m.blocks().map(|b| (*b, STEEL)));
-        let mut boxes: Vec<(Extent, &str)> =
-            blocks.chain(joint.pieces.iter().map(|p| (p.extent, PLATE))).collect();
-        boxes.sort_by(|a, b| b.0[self.sight][0].total_cmp(&a.0[self.sight][0]));
-        for (e, fill) in boxes {
-            let cut: Extent =
-                std::array::from_fn(|k| [e[k][0].max(window[k][0]), e[k][1].min(window[k][1])]);
-            if cut.iter().all(|i| i[0] < i[1]) {
-                let [x, z] = [cut[self.across], cut[2]];
-                d.rectangle(Pen::Edge, fill, self.point(x[0], z[0]), self.point(x[1], z[1]));
+        let blocks = joint.members.iter().flat_map(|m| m.solids().into_iter().map(|b| (b, STEEL)));
+        let plates = || joint.pieces.iter().flat_map(|p| p.solids());
+        let mut solids: Vec<(Block, &str)> = blocks.chain(plates().map(|b| (b, PLATE))).collect();
+        let near = |b: &Block| b.bounds()[self.sight][0];
+        solids.sort_by(|a, b| near(&b.0).total_cmp(&near(&a.0)));
+        for (block, fill) in solids {
+            if let Some(cut) = block.within(window) {
+                self.outline(d, Pen::Edge, fill, &cut);
             }
         }
         // plates that others hide
-        for p in &joint.pieces {
-            let [x, z] = [p.extent[self.across], p.extent[2]];
-            d.rectangle(Pen::Hidden, "none", self.point(x[0], z[0]), self.point(x[1], z[1]));
-        }
+        plates().for_each(|block| self.outline(d, Pen::Hidden, "none", &block));
         let Some((size, _)) = &joint.bolt else { return };
         for b in &joint.fasteners {
             let [x, z] = [b.head[self.across], b.head[2]];
@@ -146,6 +142,24 @@ impl View {
                 };
                 d.rectangle(Pen::Edge, BOLT, p, q);
             }
+        }
+    }
+
+    /// The outline of a block in the view.
+    fn outline(&self, d: &mut Drawing, pen: Pen, fill: &str, block: &Block) {
+        let e = block.bounds();
+        if block.axis == self.sight && !block.is_box() {
+            // the polygon's coordinates are those of the next two axes
+            let turned = (block.axis + 1) % 3 != self.across;
+            let place = |p: &[f64; 2]| {
+                let [x, z] = if turned { [p[1], p[0]] } else { *p };
+                self.point(x, z)
+            };
+            let corners: Vec<[f64; 2]> = block.polygon.iter().map(place).collect();
+            d.polygon(pen, fill, &corners);
+        } else {
+            let [x, z] = [e[self.across], e[2]];
+            d.rectangle(pen, fill, self.point(x[0], z[0]), self.point(x[1], z[1]));
         }
     }
 

@@ -164,6 +164,7 @@ impl<'a> Context<'a> {
             solid: Solid::Union(pieces.to_vec()),
             convex: pieces.to_vec(),
             mid_planes: Vec::new(),
+            oblique_planes: Vec::new(),
             size: self.size(at, &b.scope, &b.entry.size)?,
         })
     }

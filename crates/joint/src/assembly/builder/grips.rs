@@ -4,7 +4,8 @@ use super::bolts::Bolt;
 use super::context::Context;
 use super::shapes::Shape;
 use crate::assembly::assembly::{Grip, Ply, Room, Section};
-use crate::assembly::content::Extent;
+use crate::assembly::block::Block;
+use crate::assembly::content::SAME_PLACE;
 use crate::assembly::error::AssemblyError;
 use crate::assembly::evaluate::{entry_fault, within};
 use crate::assembly::part::{Hole, across};
@@ -15,10 +16,10 @@ use std::collections::BTreeMap;
 /// distance along it: 45°.
 const NEIGHBOUR: f64 = 1.0;
 
-/// A part with holes: its steel, and the boxes of its plates, flanges and webs.
+/// A part with holes: its steel, and the blocks of its plates, flanges and webs.
 struct Bolted {
     steel: Strength,
-    plates: Vec<Vec<Extent>>,
+    plates: Vec<Vec<Block>>,
 }
 
 impl Context<'_> {
@@ -106,13 +107,11 @@ impl Context<'_> {
 }
 
 /// The room around a hole with its axis through `centre`, a point inside the ply, among the plates
-/// and holes of a part. A plate is the boxes that cuts leave of it.
-fn room(centre: [f64; 3], axis: usize, plates: &[Vec<Extent>], holes: &[Hole]) -> Option<Room> {
-    let inside = |x: &&Extent| (0..3).all(|k| x[k][0] <= centre[k] && centre[k] <= x[k][1]);
-    let found = plates.iter().find_map(|p| Some((p, p.iter().find(inside)?)));
-    let (plate, block) = found?;
+/// and holes of a part. A plate is the blocks that cuts leave of it.
+fn room(centre: [f64; 3], axis: usize, plates: &[Vec<Block>], holes: &[Hole]) -> Option<Room> {
+    let plate = plates.iter().find(|p| p.iter().any(|b| b.reach(centre, axis, 1.0).is_some()))?;
     let axes = across(axis);
-    let edge = axes.map(|k| [0, 1].map(|side| to_edge(centre, (axis, k, side), block, plate)));
+    let edge = axes.map(|k| [-1.0, 1.0].map(|sign| to_edge(centre, k, sign, plate)));
     let mut pitch = [[f64::INFINITY; 2]; 2];
     for other in holes.iter().filter(|o| o.axis == axis) {
         let from = axes.map(|k| other.base[k] - centre[k]);
@@ -131,22 +130,18 @@ fn room(centre: [f64; 3], axis: usize, plates: &[Vec<Extent>], holes: &[Hole]) -
     Some(Room { edge, pitch })
 }
 
-/// Distance from a point in `block` along axis `k` to the edge on a side of its plate.
-fn to_edge(
-    centre: [f64; 3],
-    (axis, k, side): (usize, usize, usize),
-    block: &Extent,
-    plate: &[Extent],
-) -> f64 {
-    let across = 3 - axis - k;
-    let mut edge = block[k][side];
-    while let Some(next) = plate
-        .iter()
-        .find(|b| b[k][1 - side] == edge && (b[across][0]..=b[across][1]).contains(&centre[across]))
-    {
-        edge = next[k][side];
+/// Distance from a point in a plate along axis `k`, in a direction of it, to the edge.
+fn to_edge(centre: [f64; 3], k: usize, sign: f64, plate: &[Block]) -> f64 {
+    let (mut at, mut distance) = (centre, 0.0);
+    // from block to block, as long as one goes on
+    loop {
+        let further = plate.iter().filter_map(|b| b.reach(at, k, sign)).fold(0.0, f64::max);
+        if further < SAME_PLACE {
+            return distance;
+        }
+        distance += further;
+        at[k] += sign * further;
     }
-    (edge - centre[k]).abs()
 }
 
 /// The largest distance between two holes \[mm\].
@@ -179,7 +174,8 @@ mod tests {
             hole(15.0, 45.0, 110.0),
             hole(15.0, -45.0, 210.0),
         ];
-        let of = |centre: [f64; 3]| room(centre, 0, &[vec![beside], vec![plate]], &holes);
+        let plates = [beside, plate].map(|x| vec![Block::of(&x, 2)]);
+        let of = |centre: [f64; 3]| room(centre, 0, &plates, &holes);
         let found = of([7.5, -45.0, 40.0]).expect("inside the plate");
         assert_eq!(found.edge, [[30.0, 120.0], [40.0, 160.0]]);
         assert_eq!(found.pitch, [[f64::INFINITY, 90.0], [f64::INFINITY, 70.0]]);
@@ -196,10 +192,22 @@ mod tests {
         let web = [[0.0, 500.0], [-4.0, 4.0], [-140.0, 140.0]];
         let notch = [[-10.0, 80.0], [-100.0, 100.0], [110.0, 150.0]];
         let flange = [[80.0, 500.0], [-75.0, 75.0], [140.0, 150.0]];
-        let plates = [vec![flange], crate::assembly::content::minus(web, &notch)];
+        let plates = [vec![Block::of(&flange, 2)], Block::of(&web, 2).minus(&notch)];
         let of = |x: f64| room([x, 0.0, 70.0], 1, &plates, &[]).expect("inside").edge;
         assert_eq!(of(50.0), [[50.0, 450.0], [210.0, 40.0]]);
         assert_eq!(of(120.0), [[120.0, 380.0], [210.0, 70.0]]);
+    }
+
+    /// In a triangular plate the edge along an axis is where the sloping side is.
+    #[test]
+    fn the_room_of_a_hole_in_a_triangle() {
+        let outline = [[0.0, 0.0], [200.0, 0.0], [0.0, 300.0]];
+        let plates = [Block::triangles(1, [-5.0, 5.0], &outline)];
+        // the axes after y are z and x
+        let found = room([60.0, 0.0, 40.0], 1, &plates, &[]).expect("inside").edge;
+        let near = |a: f64, b: f64| (a - b).abs() < 1e-9;
+        assert!(near(found[0][0], 60.0) && near(found[0][1], 180.0), "{found:?}");
+        assert!(near(found[1][0], 40.0) && near(found[1][1], 120.0), "{found:?}");
     }
 
     /// A hole in the next row on the other side counts in the direction that it is nearer to.
@@ -207,7 +215,8 @@ mod tests {
     fn staggered_holes_are_neighbours_in_one_direction() {
         let plate = [[0.0, 15.0], [-100.0, 100.0], [0.0, 200.0]];
         let holes = [hole(15.0, 0.0, 50.0), hole(15.0, 30.0, 90.0)];
-        let found = room([7.5, 0.0, 50.0], 0, &[vec![plate]], &holes).expect("inside");
+        let found =
+            room([7.5, 0.0, 50.0], 0, &[vec![Block::of(&plate, 2)]], &holes).expect("inside");
         assert_eq!(found.pitch, [[f64::INFINITY; 2], [f64::INFINITY, 40.0]]);
     }
 }

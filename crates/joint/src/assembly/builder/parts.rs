@@ -3,9 +3,10 @@
 use super::context::Context;
 use super::shapes::{Body, Shape};
 use crate::assembly::assembly::{MidPlane, Part, PartMaterial, PartRole, Solid};
+use crate::assembly::block;
 use crate::assembly::error::AssemblyError;
 use crate::assembly::evaluate::{entry_fault, identifier, within};
-use crate::assembly::part::{Hole, cuboid, perforated, without};
+use crate::assembly::part::{Hole, around_holes, cuboid, perforated, without};
 use crate::assembly::scope::Scope;
 use crate::assembly::template::{MidEntry, PartEntry, RoleEntry};
 use crate::spec::expr::ExprError;
@@ -25,19 +26,31 @@ impl Context<'_> {
         let name = identifier(at, within(at, scope.text(at))?)?;
         let holes = holes.get(name.as_str()).map_or(&[][..], Vec::as_slice);
         let (mut solids, mut convex, mut mid_planes) = (Vec::new(), Vec::new(), Vec::new());
-        for Shape { entry: solid, scope: s, body, cuts } in self.shapes(entry, scope)? {
-            let whole = match body {
-                Body::Profile(_, placed) => {
-                    convex.extend(placed.convex(holes, &cuts));
-                    mid_planes.extend(placed.mid_planes());
-                    placed.solid()
-                }
+        let mut oblique_planes = Vec::new();
+        for shape in self.shapes(entry, scope)? {
+            let (mid, s) = (shape.entry.mid.as_ref(), &shape.scope);
+            let (whole, planes) = match &shape.body {
+                Body::Profile(_, placed) => (placed.solid(), placed.mid_planes()),
                 Body::Cuboid(x) => {
-                    convex.extend(without(x, &cuts).into_iter().flat_map(|x| perforated(x, holes)));
-                    mid_planes.push(within(at, mid_plane(&s, x, solid.mid.as_ref()))?);
-                    cuboid(x[0], x[1], x[2])
+                    (cuboid(x[0], x[1], x[2]), vec![within(at, mid_plane(s, *x, mid))?])
+                }
+                Body::Prism(p) => {
+                    let plane = within(at, plane_across(s, p.axis, p.bounds(), mid))?;
+                    (block::prism(p.axis, p.span, &p.outline), vec![plane])
                 }
             };
+            convex.extend(convex_pieces(&shape, holes));
+            let whole = match &shape.turn {
+                Some(turn) => {
+                    oblique_planes.extend(planes.iter().map(|p| turn.mid_plane(p)));
+                    turn.solid(&whole)
+                }
+                None => {
+                    mid_planes.extend(planes);
+                    whole
+                }
+            };
+            let cuts = shape.cuts;
             solids.push(if cuts.is_empty() {
                 whole
             } else {
@@ -59,6 +72,7 @@ impl Context<'_> {
         };
         if !self.spec.analysis.mesh.layers {
             mid_planes.clear();
+            oblique_planes.clear();
         }
         let thickness = within(at, scope.length(&entry.thickness))?;
         let material = self.inputs.steel_material(self.spec, &entry.steel, thickness, materials)?;
@@ -75,6 +89,7 @@ impl Context<'_> {
             solid,
             convex,
             mid_planes,
+            oblique_planes,
             size: self.size(at, scope, &entry.size)?,
         })
     }
@@ -93,12 +108,42 @@ impl Context<'_> {
     }
 }
 
+/// The convex pieces of a solid, with its holes and cuts left free.
+fn convex_pieces(shape: &Shape<'_>, holes: &[Hole]) -> Vec<Solid> {
+    match (&shape.turn, &shape.body) {
+        (None, Body::Profile(_, placed)) => placed.convex(holes, &shape.cuts),
+        (None, Body::Cuboid(x)) => {
+            let left = without(*x, &shape.cuts);
+            left.into_iter().flat_map(|x| perforated(x, holes)).collect()
+        }
+        (turn, body) => {
+            let blocks = shape.plates().into_iter().flatten();
+            let mut out: Vec<Solid> = blocks.flat_map(|b| around_holes(&b, holes)).collect();
+            if let (Some(turn), Body::Profile(_, placed)) = (turn, body) {
+                out.extend(placed.turned_fillets(turn, &shape.cuts));
+            }
+            out
+        }
+    }
+}
+
 /// The mid-thickness plane of a box: normal to its thinnest direction, or as the template states.
 fn mid_plane(s: &Scope, x: [[f64; 2]; 3], entry: Option<&MidEntry>) -> Result<MidPlane, ExprError> {
     let thickness = |k: usize| x[k][1] - x[k][0];
     let thinnest =
         [1, 2].into_iter().fold(0, |best, k| if thickness(k) < thickness(best) { k } else { best });
-    let axis = entry.map_or(thinnest, |e| e.axis.index());
+    plane_across(s, thinnest, x, entry)
+}
+
+/// The plane halfway across an axis, or as the template states. The mesher keeps of it what is
+/// inside the part.
+fn plane_across(
+    s: &Scope,
+    axis: usize,
+    x: [[f64; 2]; 3],
+    entry: Option<&MidEntry>,
+) -> Result<MidPlane, ExprError> {
+    let axis = entry.map_or(axis, |e| e.axis.index());
     let at = (x[axis][0] + x[axis][1]) / 2.0;
     let mut extent = x;
     if let Some(e) = entry {

@@ -1,12 +1,17 @@
-//! The solids of a member or plate as the template gives them: lengths of profiles and boxes.
+//! The solids of a member or plate as the template gives them: lengths of profiles, boxes and
+//! prisms.
 
 use super::context::Context;
-use crate::assembly::content::{Content, Extent, Fastener, Length, Piece, PieceKind, Ply, cut};
+use crate::assembly::block::{Block, crosses_itself, twice_area};
+use crate::assembly::content::{
+    Content, Extent, Fastener, Length, Piece, PieceKind, Ply, SAME_PLACE, cut,
+};
 use crate::assembly::error::AssemblyError;
 use crate::assembly::evaluate::{entry_fault, within};
 use crate::assembly::part::{Placed, without};
 use crate::assembly::scope::Scope;
-use crate::assembly::template::{BoxEntry, PartEntry, SolidEntry};
+use crate::assembly::template::{BoxEntry, PartEntry, PrismEntry, SolidEntry, TurnEntry};
+use crate::assembly::turn::Turn;
 use bracket_base::say;
 
 /// A solid in one turn of its loops.
@@ -14,18 +19,50 @@ pub(super) struct Shape<'a> {
     pub entry: &'a SolidEntry,
     pub scope: Scope,
     pub body: Body<'a>,
+    /// How it is turned before it is cut.
+    pub turn: Option<Turn>,
     /// Boxes that are cut out of it.
     pub cuts: Vec<Extent>,
 }
 
 impl Shape<'_> {
-    /// Its plates: the box, or each flange and the web. Each is the boxes that cuts leave of it.
-    pub fn plates(&self) -> Vec<Vec<Extent>> {
+    /// Its plates: the box or prism, or each flange and the web. Each is the blocks that cuts leave
+    /// of it.
+    pub fn plates(&self) -> Vec<Vec<Block>> {
+        let axis = self.turn.map_or(2, |t| t.axis);
+        let boxed = |x: &Extent| vec![Block::of(x, axis)];
         let whole = match &self.body {
-            Body::Profile(_, placed) => placed.blocks().to_vec(),
-            Body::Cuboid(x) => vec![*x],
+            Body::Profile(_, placed) => placed.blocks().iter().map(boxed).collect(),
+            Body::Cuboid(x) => vec![boxed(x)],
+            Body::Prism(p) => vec![Block::triangles(p.axis, p.span, &p.outline)],
         };
-        whole.into_iter().map(|x| without(x, &self.cuts)).collect()
+        let turned = |b: Block| match &self.turn {
+            Some(turn) => b.turned(turn),
+            None => b,
+        };
+        let cut = |left: Vec<Block>, c: &Extent| left.iter().flat_map(|b| b.minus(c)).collect();
+        let left = |plate: Vec<Block>| -> Vec<Block> {
+            self.cuts.iter().fold(plate.into_iter().map(turned).collect(), cut)
+        };
+        whole.into_iter().map(left).collect()
+    }
+}
+
+/// A plate with an outline.
+pub(super) struct Outline {
+    /// Direction of the thickness, 0 = x.
+    pub axis: usize,
+    /// The two faces \[mm\].
+    pub span: [f64; 2],
+    /// Its corners on the next two axes, counter-clockwise when seen from the tip of the axis
+    /// \[mm\].
+    pub outline: Vec<[f64; 2]>,
+}
+
+impl Outline {
+    /// The box round it.
+    pub fn bounds(&self) -> Extent {
+        Block { axis: self.axis, span: self.span, polygon: self.outline.clone() }.bounds()
     }
 }
 
@@ -35,10 +72,11 @@ fn flanges_and_web(placed: &Placed<'_>, cuts: &[Extent]) -> [Vec<Extent>; 2] {
     [&[upper, lower][..], &[web]].map(|of| of.iter().flat_map(|b| without(*b, cuts)).collect())
 }
 
-/// A length of a profile with its member role, or a box.
+/// A length of a profile with its member role, a box, or a plate with an outline.
 pub(super) enum Body<'a> {
     Profile(&'a str, Placed<'a>),
     Cuboid(Extent),
+    Prism(Outline),
 }
 
 impl Context<'_> {
@@ -52,8 +90,8 @@ impl Context<'_> {
         let mut out = Vec::new();
         for solid in &entry.solids {
             for s in within(at, scope.turns(&solid.each, solid.when.as_ref()))? {
-                let body = match (&solid.profile, &solid.cuboid) {
-                    (Some(p), None) => {
+                let body = match (&solid.profile, &solid.cuboid, &solid.prism) {
+                    (Some(p), None, None) => {
                         let Some(profile) = self.inputs.profile(&p.member) else {
                             return entry_fault(at, format!("there is no member `{}`", p.member));
                         };
@@ -66,21 +104,28 @@ impl Context<'_> {
                             p.centre.as_ref().map_or(Ok([0.0; 3]), |c| within(at, s.point(c)))?;
                         Body::Profile(&p.member, Placed { profile, along, depth, span, centre })
                     }
-                    (None, Some(b)) => Body::Cuboid(cuboid(at, &s, b)?),
+                    (None, Some(b), None) => Body::Cuboid(cuboid(at, &s, b)?),
+                    (None, None, Some(p)) => Body::Prism(outline(at, &s, p)?),
                     _ => {
                         return entry_fault(
                             at,
-                            "each solid is a `profile` or a `box`, one of them",
+                            "each solid is a `profile`, a `box` or a `prism`, one of them",
                         );
                     }
                 };
+                let turn = solid.turn.as_ref().map(|t| turn(at, &s, t)).transpose()?;
+                if let (Some(turn), Body::Prism(p)) = (&turn, &body)
+                    && turn.axis != p.axis
+                {
+                    return entry_fault(at, "a prism is turned about its own axis alone");
+                }
                 let mut cuts = Vec::new();
                 for cut in &solid.cut {
                     for s in within(at, s.turns(&cut.each, cut.when.as_ref()))? {
                         cuts.push(cuboid(at, &s, &cut.cuboid)?);
                     }
                 }
-                out.push(Shape { entry: solid, scope: s, body, cuts });
+                out.push(Shape { entry: solid, scope: s, body, turn, cuts });
             }
         }
         Ok(out)
@@ -154,14 +199,21 @@ impl Context<'_> {
         let shapes = self.shapes(entry, scope)?;
         let first = out.members.len();
         let mut boxes = Vec::new();
-        for Shape { entry: solid, scope, body, cuts } in shapes {
+        for shape in shapes {
+            let drawn = match (&shape.turn, &shape.body) {
+                (None, Body::Profile(..) | Body::Cuboid(_)) => Vec::new(),
+                _ => shape.plates().into_iter().flatten().collect(),
+            };
+            let Shape { entry: solid, scope, body, turn, cuts } = shape;
             let text =
                 |t: &Option<String>| t.as_ref().map(|t| within(at, scope.words(t))).transpose();
             let own = text(&solid.label)?;
             let no_check = text(&solid.no_check)?.or(text(&entry.no_check)?);
             match body {
                 Body::Profile(role, placed) => {
-                    let [flanges, web] = flanges_and_web(&placed, &cuts);
+                    // the cuts of a turned profile have other axes: `drawn` shows them
+                    let cuts = if turn.is_some() { &[][..] } else { &cuts };
+                    let [flanges, web] = flanges_and_web(&placed, cuts);
                     out.members.push(Length {
                         part: part.clone(),
                         label: own.unwrap_or_else(|| label.clone()),
@@ -170,23 +222,35 @@ impl Context<'_> {
                         along: placed.along,
                         flanges,
                         web,
+                        turn,
+                        drawn,
                         known: false,
                         steel: steel.clone(),
                         no_check,
                     });
                 }
                 Body::Cuboid(extent) => {
-                    let left = without(extent, &cuts);
-                    boxes.extend(left.into_iter().map(|e| (e, own.clone(), no_check.clone())));
+                    let left = match turn {
+                        Some(_) => vec![extent],
+                        None => without(extent, &cuts),
+                    };
+                    let piece = |e| (e, turn, None, drawn.clone(), own.clone(), no_check.clone());
+                    boxes.extend(left.into_iter().map(piece));
+                }
+                Body::Prism(p) => {
+                    let outline = Some((p.axis, p.outline.clone()));
+                    boxes.push((p.bounds(), turn, outline, drawn, own, no_check));
                 }
             }
         }
         let (webs, alone) = (&out.members[first..], out.members.len() == first);
-        for (extent, own, no_check) in boxes {
+        for (extent, turn, outline, drawn, own, no_check) in boxes {
             let cut_by = |pieces: Vec<Extent>, block: &Extent| {
                 pieces.into_iter().flat_map(|p| cut(p, block)).collect()
             };
-            let extents = webs.iter().flat_map(Length::blocks).fold(vec![extent], cut_by);
+            // a web cuts what is turned with it
+            let with = webs.iter().filter(|m| outline.is_none() && m.turn == turn);
+            let extents = with.flat_map(Length::blocks).fold(vec![extent], cut_by);
             let words = match alone {
                 true => label.clone(),
                 false => say!("plate of the {}", &label),
@@ -197,6 +261,9 @@ impl Context<'_> {
                 label: label.clone(),
                 kind: PieceKind::Other,
                 extent,
+                turn,
+                outline: outline.clone(),
+                drawn: drawn.clone(),
                 upright: None,
                 steel: steel.clone(),
                 no_check: no_check.clone(),
@@ -217,4 +284,41 @@ fn cuboid(at: &str, s: &Scope, b: &BoxEntry) -> Result<Extent, AssemblyError> {
         Some(k) => entry_fault(at, format!("a box has no extent along {}", ["x", "y", "z"][k])),
         None => Ok(x),
     }
+}
+
+/// The plate of an entry with an outline.
+fn outline(at: &str, s: &Scope, p: &PrismEntry) -> Result<Outline, AssemblyError> {
+    let axis = p.axis.index();
+    let span = within(at, s.interval(&[p.from.clone(), p.to.clone()]))?;
+    if span[1] - span[0] <= 0.0 {
+        return entry_fault(at, "a prism has no thickness");
+    }
+    let mut outline = Vec::with_capacity(p.outline.len());
+    for [a, b] in &p.outline {
+        let corner = [within(at, s.length(a))?, within(at, s.length(b))?];
+        // the axes after y are z and x
+        outline.push(if axis == 1 { [corner[1], corner[0]] } else { corner });
+    }
+    let n = outline.len();
+    let short = |i: usize| {
+        let (a, b) = (outline[i], outline[(i + 1) % n]);
+        (b[0] - a[0]).hypot(b[1] - a[1]) < SAME_PLACE
+    };
+    if n < 3 || (0..n).any(short) {
+        return entry_fault(at, "an outline has three corners or more, no two at one place");
+    }
+    if crosses_itself(&outline) {
+        return entry_fault(at, "the edges of an outline cross or touch each other");
+    }
+    if twice_area(&outline) < 0.0 {
+        outline.reverse();
+    }
+    Ok(Outline { axis, span, outline })
+}
+
+/// The turn of an entry.
+fn turn(at: &str, s: &Scope, t: &TurnEntry) -> Result<Turn, AssemblyError> {
+    let angle = within(at, s.angle(&t.by))?;
+    let point = t.at.as_ref().map_or(Ok([0.0; 3]), |p| within(at, s.point(p)))?;
+    Ok(Turn { axis: t.about.index(), angle, at: point })
 }

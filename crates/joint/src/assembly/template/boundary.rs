@@ -46,6 +46,9 @@ pub struct EndEntry {
     pub outward: Expr,
     /// Direction of the section's depth, upwards.
     pub depth: Axis,
+    /// Angle by which the member rises against the face's normal, along `depth`; absent: none. x′
+    /// and z′ are turned by it about y′.
+    pub slope: Option<Expr>,
     /// Where the end section is.
     pub face: RectangleEntry,
     /// Points that `at` can name: `node`, `column_face`, `bolt_plane`.

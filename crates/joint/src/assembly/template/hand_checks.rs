@@ -6,10 +6,11 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 /// The kind of an entry of an end plate.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum EndPlateKind {
     /// A bolted end plate.
+    #[default]
     EndPlate,
 }
 
@@ -18,7 +19,8 @@ pub enum EndPlateKind {
 #[serde(deny_unknown_fields)]
 pub struct EndPlateEntry {
     /// `end_plate`, or absent. It stands first.
-    pub kind: Option<EndPlateKind>,
+    #[serde(default)]
+    pub kind: EndPlateKind,
     /// Member role of the column; absent: a splice, the plate is bolted to the same plate on the
     /// other beam.
     pub column: Option<String>,

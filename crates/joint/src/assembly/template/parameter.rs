@@ -13,6 +13,8 @@ pub enum ParameterKind {
     Length,
     /// A pure number.
     Number,
+    /// An angle.
+    Angle,
     /// True or false.
     Flag,
     /// A list of lengths; `name.1` is the first.

@@ -43,7 +43,7 @@ pub struct PartEntry {
     pub solids: Vec<SolidEntry>,
 }
 
-/// One solid of a part: a profile or a box.
+/// One solid of a part: a profile, a box or a prism.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SolidEntry {
@@ -54,9 +54,14 @@ pub struct SolidEntry {
     pub when: Option<Expr>,
     /// A rolled section; or
     pub profile: Option<ProfileEntry>,
-    /// a box.
+    /// a box; or
     #[serde(default, rename = "box")]
     pub cuboid: Option<BoxEntry>,
+    /// a plate with an outline.
+    pub prism: Option<PrismEntry>,
+    /// Turns the solid about a line. Its own values, and `mid`, are those before the turn; `cut`
+    /// comes after it.
+    pub turn: Option<TurnEntry>,
     /// Words for lists, if they are not those of the part.
     pub label: Option<String>,
     /// Why it needs no check by code, as for the part.
@@ -80,6 +85,32 @@ pub struct CutEntry {
     /// Its extent.
     #[serde(rename = "box")]
     pub cuboid: BoxEntry,
+}
+
+/// A plate with an outline of straight edges.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PrismEntry {
+    /// Direction of the thickness.
+    pub axis: Axis,
+    /// One face along the axis.
+    pub from: Expr,
+    /// The other face.
+    pub to: Expr,
+    /// Corners in order, each with its coordinates on the two other axes in the order x, y, z.
+    pub outline: Vec<[Expr; 2]>,
+}
+
+/// A turn about a line along a coordinate axis.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TurnEntry {
+    /// Direction of the line.
+    pub about: Axis,
+    /// The angle, right-handed: about y, a positive one lowers what points along x.
+    pub by: Expr,
+    /// A point of the line; absent: the origin.
+    pub at: Option<[Expr; 3]>,
 }
 
 /// A length of rolled section.

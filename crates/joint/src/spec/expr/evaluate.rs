@@ -117,8 +117,10 @@ impl Eval<'_> {
     }
 
     fn call(&mut self, name: &str, args: &[Node], node: &Node) -> Result<Value, ExprError> {
-        const FUNCTIONS: [&str; 8] =
-            ["min", "max", "abs", "sqrt", "ceil", "round_up", "stock", "if"];
+        const FUNCTIONS: [&str; 12] = [
+            "min", "max", "abs", "sqrt", "ceil", "round_up", "stock", "if", "sin", "cos", "tan",
+            "atan",
+        ];
         if !FUNCTIONS.contains(&name) {
             let hint = bracket_base::diag::did_you_mean(name, FUNCTIONS);
             let known = FUNCTIONS.join(", ");
@@ -171,6 +173,27 @@ impl Eval<'_> {
                         format!("`sqrt` of a {} has no unit", q.dim),
                     )),
                 }
+            }
+            "sin" | "cos" | "tan" => {
+                let q = self.quantity(&args[0])?;
+                if q.dim != Dim::ANGLE {
+                    let message = format!("`{name}` takes an angle, `6 deg`, not a {}", q.dim);
+                    return Err(fault(self.text, args[0].span.clone(), message));
+                }
+                let of = match name {
+                    "sin" => f64::sin,
+                    "cos" => f64::cos,
+                    _ => f64::tan,
+                };
+                Ok(Value::number(of(q.value)))
+            }
+            "atan" => {
+                let q = self.quantity(&args[0])?;
+                if q.dim != Dim::NONE {
+                    let message = format!("`atan` takes a number without unit, not a {}", q.dim);
+                    return Err(fault(self.text, args[0].span.clone(), message));
+                }
+                Ok(Value::angle(q.value.atan()))
             }
             "stock" => {
                 let q = self.quantity(&args[0])?;

@@ -23,6 +23,10 @@ impl Value {
     pub fn force(value: f64) -> Self {
         Value::Quantity(Quantity { value, dim: Dim::FORCE })
     }
+    /// An angle in rad.
+    pub fn angle(value: f64) -> Self {
+        Value::Quantity(Quantity { value, dim: Dim::ANGLE })
+    }
     /// A pure number.
     pub fn number(value: f64) -> Self {
         Value::Quantity(Quantity { value, dim: Dim::NONE })
@@ -42,12 +46,11 @@ impl fmt::Display for Value {
         match self {
             Value::Truth(t) => write!(f, "{t}"),
             Value::Quantity(q) => {
+                // people measure angles in degrees
+                let value = if q.dim == Dim::ANGLE { q.value.to_degrees() } else { q.value };
                 // nine decimals hide the rounding error of decimal input; messages need no more
-                let text = if q.value.abs() < 1e15 {
-                    format!("{:.9}", q.value)
-                } else {
-                    format!("{:e}", q.value)
-                };
+                let text =
+                    if value.abs() < 1e15 { format!("{value:.9}") } else { format!("{value:e}") };
                 let text = match text.contains('e') {
                     true => &text,
                     false => text.trim_end_matches('0').trim_end_matches('.'),
@@ -59,7 +62,7 @@ impl fmt::Display for Value {
                     Dim::FORCE => f.write_str(" N"),
                     Dim::STRESS => f.write_str(" MPa"),
                     Dim::MOMENT => f.write_str(" N mm"),
-                    Dim::ANGLE => f.write_str(" rad"),
+                    Dim::ANGLE => f.write_str(" deg"),
                     other => write!(f, " {other}"),
                 }
             }
