@@ -19,6 +19,7 @@ mod route_pictures;
 mod stiffness;
 mod suggested_values;
 mod t_stubs_by_template;
+mod turned_solids;
 mod verdict_by_code;
 mod verdicts;
 mod welds;

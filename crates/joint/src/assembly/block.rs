@@ -239,7 +239,9 @@ pub fn crosses_itself(outline: &[[f64; 2]]) -> bool {
     (0..n).any(|i| {
         (i + 1..n).filter(|j| (j + 1) % n != i && *j != i + 1).any(|j| {
             let ([a, b], [c, d]) = (edge(i), edge(j));
-            turns(a, b, c) * turns(a, b, d) <= 0.0 && turns(c, d, a) * turns(c, d, b) <= 0.0
+            let across =
+                turns(a, b, c) * turns(a, b, d) < 0.0 && turns(c, d, a) * turns(c, d, b) < 0.0;
+            across || on(a, b, c) || on(a, b, d) || on(c, d, a) || on(c, d, b)
         })
     })
 }
@@ -247,6 +249,13 @@ pub fn crosses_itself(outline: &[[f64; 2]]) -> bool {
 /// Twice the area of a triangle, positive counter-clockwise.
 fn turns(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> f64 {
     (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])
+}
+
+/// True if a point lies on a straight edge.
+fn on(a: [f64; 2], b: [f64; 2], p: [f64; 2]) -> bool {
+    let length = (b[0] - a[0]).hypot(b[1] - a[1]);
+    let along = (0..2).map(|i| (b[i] - a[i]) * (p[i] - a[i])).sum::<f64>() / length;
+    turns(a, b, p).abs() <= ON_BORDER * length && (-ON_BORDER..=length + ON_BORDER).contains(&along)
 }
 
 /// True if a triangle, counter-clockwise, holds a point or has it on its border.
@@ -328,5 +337,16 @@ mod tests {
         assert!(blocks.iter().all(|b| twice_area(&b.polygon) > 0.0));
         assert!(!crosses_itself(&l));
         assert!(crosses_itself(&[[0.0, 0.0], [4.0, 0.0], [0.0, 3.0], [4.0, 3.0]]));
+        // a corner on an edge; two edges of a notch on one line
+        assert!(crosses_itself(&[[0.0, 0.0], [4.0, 0.0], [2.0, 0.0], [2.0, 3.0]]));
+        assert!(!crosses_itself(&[
+            [0.0, 0.0],
+            [4.0, 0.0],
+            [4.0, 2.0],
+            [3.0, 2.0],
+            [2.0, 1.0],
+            [1.0, 2.0],
+            [0.0, 2.0]
+        ]));
     }
 }

@@ -4,6 +4,8 @@
 //! They show the input of the hand checks (`assembly::EndPlate`), so that the reader sees a wrong
 //! value of a spec, and the bolts and further plates of the geometry (`assembly::Content`).
 
+use crate::draw::rafter_drawing;
+use crate::draw::scale::Scale;
 use crate::draw::svg::{Anchor, Drawing, LINE, Pen, Svg};
 use crate::draw::weld_symbol::weld_symbol;
 use bracket_base::say;
@@ -37,31 +39,18 @@ pub fn actions(e: &EndPlate) -> Svg {
     loads(e).finish("Actions at the member ends, positive senses")
 }
 
-/// Maps millimetres of the joint to pixels of the page.
-struct Scale {
-    /// Pixels per millimetre.
-    k: f64,
-    /// Page coordinates of x = 0, z = 0.
-    origin: [f64; 2],
-}
-
-impl Scale {
-    fn at(&self, x: f64, z: f64) -> [f64; 2] {
-        [self.origin[0] + self.k * x, self.origin[1] - self.k * z]
-    }
-}
-
 /// Upper and lower end of the drawing \[mm\]: the column continues beyond the plate.
 fn extent(e: &EndPlate) -> [f64; 2] {
-    let half = 0.5 * e.beam.h;
+    let half = 0.5 * e.depth();
     let beyond = if e.column.is_some() { 0.22 * e.beam.h } else { 0.0 };
-    [e.bottom.min(-half) - beyond, e.top.max(half) + beyond]
+    let [top, bottom] = rafter_drawing::far_end(e);
+    [e.bottom.min(-half).min(bottom) - beyond, e.top.max(half).max(top) + beyond]
 }
 
 fn sheet(e: &EndPlate, joint: &Content, length: Option<f64>) -> Drawing {
     let mut d = Drawing::default();
     let [low, high] = extent(e);
-    let stub = 0.8 * e.beam.h;
+    let stub = rafter_drawing::stub(e);
     let depth = e.column.as_ref().map_or(0.0, |c| c.section.h);
     // a splice has both plates, a column one or two
     let both = e.column.is_none() || joint.end_plates() > 1;
@@ -92,44 +81,58 @@ fn side_view(
     both: bool,
     [low, high]: [f64; 2],
 ) {
-    let half = 0.5 * e.beam.h;
+    let half = 0.5 * e.depth();
+    let levels = e.flange_levels();
     let face = e.column.as_ref().map_or(0.0, |c| 0.5 * c.section.h);
     if let Some(c) = &e.column {
         let (h, tf) = (face, c.section.tf);
-        d.rectangle(Pen::None, STEEL, s.at(-h, low), s.at(h, high));
+        // it ends in the drawing, or continues beyond it
+        let ends = [c.below.map(|z| -z), c.above];
+        let inside = ends.map(|z| z.filter(|z| low < *z && *z < high));
+        let [foot, head] = [inside[0].unwrap_or(low), inside[1].unwrap_or(high)];
+        d.rectangle(Pen::None, STEEL, s.at(-h, foot), s.at(h, head));
         for x in [-h, -h + tf, h - tf, h] {
-            d.line(Pen::Edge, s.at(x, low), s.at(x, high));
+            d.line(Pen::Edge, s.at(x, foot), s.at(x, head));
         }
         if c.doubler > 0.0 {
             let inner = h - tf - c.section.r;
             d.rectangle(Pen::Hidden, "none", s.at(-inner, e.bottom), s.at(inner, e.top));
         }
         if c.stiffener > 0.0 {
-            for z in [half - 0.5 * e.beam.tf, -half + 0.5 * e.beam.tf] {
+            for z in levels {
                 let t = 0.5 * c.stiffener;
                 d.rectangle(Pen::Edge, BOLT, s.at(-h + tf, z - t), s.at(h - tf, z + t));
             }
         }
-        // the column continues beyond the drawing
-        for z in [low, high] {
-            break_line(d, s.at(-h, z), s.at(h, z));
+        for (z, ends) in [(foot, inside[0]), (head, inside[1])] {
+            match ends {
+                Some(_) => d.line(Pen::Edge, s.at(-h, z), s.at(h, z)),
+                None => break_line(d, s.at(-h, z), s.at(h, z)),
+            }
         }
     }
     let sides: &[f64] = if both { &[1.0, -1.0] } else { &[1.0] };
-    let stub = 0.8 * e.beam.h;
+    let stub = rafter_drawing::stub(e);
+    let [top, bottom] = rafter_drawing::far_end(e);
     for &side in sides {
         let (start, end) = (side * (face + e.thickness), side * (face + e.thickness + stub));
         d.rectangle(Pen::Edge, STEEL, s.at(side * face, e.bottom), s.at(start, e.top));
-        d.rectangle(Pen::None, STEEL, s.at(start, -half), s.at(end, half));
-        for z in [half, half - e.beam.tf, -half + e.beam.tf, -half] {
-            d.line(Pen::Edge, s.at(start, z), s.at(end, z));
+        if e.rafter.is_some() {
+            let x = [start.min(end), start.max(end)];
+            let window = [x, [-e.width, e.width], [low, high]];
+            rafter_drawing::side_view(d, s, joint, &window, [STEEL, BOLT]);
+        } else {
+            d.rectangle(Pen::None, STEEL, s.at(start, -half), s.at(end, half));
+            for z in [half, half - e.beam.tf, -half + e.beam.tf, -half] {
+                d.line(Pen::Edge, s.at(start, z), s.at(end, z));
+            }
         }
-        break_line(d, s.at(end, -half), s.at(end, half));
+        break_line(d, s.at(end, bottom), s.at(end, top));
     }
     let welds = e.column.as_ref().filter(|c| c.stiffener > 0.0 && 2.0 * face * s.k > WELD_ROOM);
     if let Some(c) = welds {
         // inside the panel, to the end of the lower stiffener on the side of the beam
-        let end = [face - c.section.tf, -half + 0.5 * e.beam.tf + 0.5 * c.stiffener];
+        let end = [face - c.section.tf, levels[0] + 0.5 * c.stiffener];
         let [x, _] = s.at(-face + c.section.tf, 0.0);
         weld_symbol(
             d,
@@ -163,8 +166,8 @@ fn side_view(
     let xs: Vec<f64> = points.iter().map(|x| s.at(*x, 0.0)[0]).collect();
     d.horizontal_chain(from + 22.0, from, &xs, &show);
     let [x, _] = s.at(face + e.thickness + stub, 0.0);
-    let ys = [-half, half].map(|z| s.at(0.0, z)[1]);
-    d.vertical_chain(x + 22.0, true, x, &ys, &[n(e.beam.h)]);
+    let ys = [bottom, top].map(|z| s.at(0.0, z)[1]);
+    d.vertical_chain(x + 22.0, true, x, &ys, &[n(top - bottom)]);
 }
 
 /// A bolt in the side view with the bearing faces of head and nut. `toward` is the sign of the way
@@ -214,7 +217,7 @@ fn break_line(d: &mut Drawing, a: [f64; 2], b: [f64; 2]) {
 }
 
 fn front_view(d: &mut Drawing, e: &EndPlate, joint: &Content, s: &Scale, [low, high]: [f64; 2]) {
-    let (half, b) = (0.5 * e.beam.h, &e.beam);
+    let (half, b) = (0.5 * e.depth(), &e.beam);
     if let Some(c) = &e.column {
         for y in [-0.5, 0.5].map(|y| y * c.section.b) {
             d.line(Pen::Hidden, s.at(y, low), s.at(y, high));
@@ -222,10 +225,18 @@ fn front_view(d: &mut Drawing, e: &EndPlate, joint: &Content, s: &Scale, [low, h
     }
     let w = 0.5 * e.width;
     d.rectangle(Pen::Edge, STEEL, s.at(-w, e.bottom), s.at(w, e.top));
-    for z in [half - b.tf, -half] {
-        d.rectangle(Pen::Edge, BOLT, s.at(-0.5 * b.b, z), s.at(0.5 * b.b, z + b.tf));
+    let flanges = e.flanges();
+    let haunch = e.rafter.as_ref().and_then(|r| r.haunch.as_ref());
+    // the haunch is below the lower flange of the beam
+    let [width, web] = haunch.map_or([b.b, b.tw], |h| [h.width, h.web]);
+    for (i, [from, to]) in flanges.iter().enumerate().rev() {
+        let half = 0.5 * if i == 0 { width } else { b.b };
+        d.rectangle(Pen::Edge, BOLT, s.at(-half, *from), s.at(half, *to));
     }
-    d.rectangle(Pen::Edge, BOLT, s.at(-0.5 * b.tw, -half + b.tf), s.at(0.5 * b.tw, half - b.tf));
+    for (i, pair) in flanges.windows(2).enumerate() {
+        let half = 0.5 * if i == 0 { web } else { b.tw };
+        d.rectangle(Pen::Edge, BOLT, s.at(-half, pair[0][1]), s.at(half, pair[1][0]));
+    }
     if e.rib > 0.0 {
         d.rectangle(Pen::Edge, BOLT, s.at(-0.5 * e.rib, half), s.at(0.5 * e.rib, e.top));
     }
@@ -263,7 +274,10 @@ fn front_view(d: &mut Drawing, e: &EndPlate, joint: &Content, s: &Scale, [low, h
     d.vertical_chain(right + 22.0, true, right, &ys, &show);
     let (ys, show) = chain(&[e.bottom, e.top]);
     d.vertical_chain(right + 74.0, true, right + 60.0, &ys, &show);
-    let (ys, show) = chain(&[e.bottom, -half, half, e.top]);
+    let underside = haunch.map(|_| flanges[1][0]);
+    let points: Vec<f64> =
+        [e.bottom, -half].into_iter().chain(underside).chain([half, e.top]).collect();
+    let (ys, show) = chain(&points);
     d.vertical_chain(left - 22.0, false, left, &ys, &show);
     // below: edges and gauge, then the total
     let from = s.at(0.0, low)[1];
@@ -287,6 +301,7 @@ fn legend(e: &EndPlate, joint: &Content, both: bool, length: Option<f64>) -> Vec
         true => [say!("beams {} {}", beam, steel), say!("2 end plates {} {}", size, plate)],
         false => [say!("beam {} {}", beam, steel), say!("end plate {} {}", size, plate)],
     });
+    out.extend(rafter_drawing::legend(e));
     let long = length.map_or(String::new(), |l| format!(" × {}", n(l)));
     let count = joint.fasteners.len();
     out.push(say!(
@@ -324,7 +339,10 @@ fn legend(e: &EndPlate, joint: &Content, both: bool, length: Option<f64>) -> Vec
     if let Some(c) = e.column.as_ref().filter(|c| c.stiffener > 0.0) {
         out.push(say!("welds of the stiffeners: {}", weld(c.stiffener_throat)));
     }
-    out.push("dimensions in mm; z from the beam's axis, up".into());
+    out.push(match e.rafter {
+        None => "dimensions in mm; z from the beam's axis, up".into(),
+        Some(_) => "dimensions in mm; z from the middle of the depth at the end plate, up".into(),
+    });
     out
 }
 
