@@ -33,6 +33,7 @@ pub(super) fn component_joint(e: &EndPlate, beta: f64) -> EndPlateJoint {
             flange_throat: e.flange_throat,
             web_throat: e.web_throat,
             shear: 0.0,
+            sloped: None,
         },
         plate: Plate {
             thickness: e.thickness,
