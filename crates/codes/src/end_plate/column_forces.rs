@@ -77,8 +77,8 @@ impl CornerForces {
         let (push, at_node) = (horizontal(of_case(e, case)), node_moment(e, case));
         // the column below is pressed by what weighs on the node, the one above pulled
         let (axial, lever) = match corner {
-            Corner::Below => (lift, 0.5 * e.beam.h),
-            Corner::Above => (-lift, -0.5 * e.beam.h),
+            Corner::Below => (lift, 0.5 * e.depth()),
+            Corner::Above => (-lift, -0.5 * e.depth()),
         };
         let moment = at_node.abs().max((at_node + lever * push).abs());
         Some(Self { axial, moment, at_node: at_node.abs(), shear: push.abs() })
