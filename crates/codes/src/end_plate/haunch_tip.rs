@@ -17,7 +17,7 @@ use crate::eurocode::welds::simplified;
 use crate::formula::{Derivation, Formula, Line, Number, Relation, Traced};
 use crate::subject::{Part, Place, Sense};
 use crate::worked::Worked;
-use bracket_joint::assembly::{EndPlate, Haunch};
+use bracket_joint::assembly::{EndPlate, Haunch, Rafter};
 
 /// β of the shear in the web at the tip: one flange alone presses, and the shear force of the web
 /// carries it.
@@ -27,30 +27,50 @@ const ONE_SIDED: f64 = 1.0;
 pub(super) fn under_load(loaded: &LoadedEnd<'_>) -> Vec<Check> {
     let e = loaded.end.e;
     let Some(h) = at_plate::haunch(e) else { return Vec::new() };
-    let force = flange_force(loaded);
-    let mut out = match loaded.end.sense {
-        Sense::Top => pressed(loaded, h, &force),
-        Sense::Bottom => pulled(loaded, h, &force),
-    };
-    out.extend(seam(loaded, h, &force));
+    let mut out = Vec::new();
+    if let Some(force) = compression(loaded) {
+        out.extend(pressed(loaded, h, &force));
+        out.extend(seam(loaded, h, &force));
+    }
+    if let Some(force) = tension(loaded) {
+        out.extend(pulled(loaded, h, &force));
+        out.extend(seam(loaded, h, &force));
+    }
     out
 }
 
-/// F_h, the force along the haunch flange at the plate, which it is taken to keep up to the tip: in
-/// compression by the component method, in tension by moment and axial force on the lever arm.
-fn flange_force(loaded: &LoadedEnd<'_>) -> Formula {
-    let e = loaded.end.e;
-    let slope = at_plate::rafter(e).map_or(0.0, |r| r.lower_slope());
-    let normal = match loaded.end.sense {
-        Sense::Top => Traced::force("F_c,Ed", loaded.push),
-        Sense::Bottom => {
-            let [[axial, ..], [_, my, _]] = loaded.end.a.at(1.0);
-            let lever = Traced::length("z_f", at_plate::beam(e).lever());
-            Traced::symbol("M", my.abs(), Unit::Moment) / lever
-                + Traced::force("N", axial.max(0.0)) / Traced::from(2.0)
-        }
-    };
+/// F_h, the force along the haunch flange at the plate, which it is taken to keep up to the tip, from
+/// its part `normal` to the plate.
+fn flange_force(e: &EndPlate, normal: Traced) -> Formula {
+    let slope = at_plate::rafter(e).map_or(0.0, Rafter::lower_slope);
     Formula::new("F_h", normal / Traced::number("cos(α + θ)", slope.cos()), Unit::Force)
+}
+
+/// M/z_f and N/2 of a flange \[N\].
+fn shares(loaded: &LoadedEnd<'_>) -> [Traced; 2] {
+    let [[axial, ..], [_, my, _]] = loaded.end.a.at(1.0);
+    let lever = Traced::length("z_f", at_plate::beam(loaded.end.e).lever());
+    let bending = Traced::symbol("M", my.abs(), Unit::Moment) / lever;
+    [bending, Traced::force("N", axial) / Traced::from(2.0)]
+}
+
+/// F_h of the compressed haunch flange, by the component method; `None` where it is in tension.
+fn compression(loaded: &LoadedEnd<'_>) -> Option<Formula> {
+    let [bending, axial] = shares(loaded).map(|of| of.value());
+    let pressed = loaded.end.sense == Sense::Top || bending + axial < 0.0;
+    pressed.then(|| flange_force(loaded.end.e, Traced::force("F_c,Ed", loaded.push)))
+}
+
+/// F_h of the haunch flange in tension, by moment and axial force on the lever arm; compression
+/// relieves nothing where the moment pulls. `None` where it is compressed.
+fn tension(loaded: &LoadedEnd<'_>) -> Option<Formula> {
+    let [bending, axial] = shares(loaded);
+    let normal = match loaded.end.sense {
+        Sense::Bottom if axial.value() > 0.0 => bending + axial,
+        Sense::Bottom => bending,
+        Sense::Top => axial - bending,
+    };
+    (normal.value() > 0.0).then(|| flange_force(loaded.end.e, normal))
 }
 
 /// Its part across the axis of the beam.
