@@ -64,8 +64,8 @@ impl Plates {
         }
     }
 
-    /// Class: the web counts with the better of its whole depth in bending and of a panel in uniform
-    /// compression.
+    /// Class: the web counts with the better of its whole depth in bending and of a panel in
+    /// uniform compression.
     fn class(&self, s: &Section, fy: f64) -> Class {
         let Some(panel) = self.panel else { return self.of.class(s, fy, 0.0) };
         let eps = epsilon(fy);
@@ -186,9 +186,9 @@ pub fn flange_compression(beam: &Section, moment: f64, fy: f64, gamma_m0: f64) -
 /// Design resistance of flange and web of the end of a beam in compression, normal to the plate
 /// \[N\].
 ///
-/// `F_c,fb,Rd = M_c,Rd/z_f`, z_f between the middles of the flanges along the plate; above 600 mm of
-/// depth the web contributes at most 20 %: F ≤ b t_n f_y/(0.8 γ_M0), t_n = t cos of the slope of the
-/// flange.
+/// `F_c,fb,Rd = M_c,Rd/z_f`, z_f between the middles of the flanges along the plate; above 600 mm
+/// of depth the web contributes at most 20 %: F ≤ b t_n f_y/(0.8 γ_M0), t_n = t cos of the slope of
+/// the flange.
 ///
 /// # Source
 /// EN 1993-1-8:2005 6.2.6.7(1), formula 6.21; the component normal to the plate of the force of an

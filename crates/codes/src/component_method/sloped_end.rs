@@ -50,8 +50,8 @@ pub struct SlopedEnd {
     /// The lower flange: that of the haunch where there is one.
     pub lower: EndFlange,
     /// The haunch; the section of the beam is then the equivalent one at the plate: two flanges
-    /// of the smaller width and of the smaller t cos of the slope, the thinner web, no root fillets,
-    /// and the lever arm of the real flanges.
+    /// of the smaller width and of the smaller t cos of the slope, the thinner web, no root
+    /// fillets, and the lever arm of the real flanges.
     pub haunch: Option<HaunchedEnd>,
 }
 

@@ -1,5 +1,5 @@
-//! Cross-sections of the beam that its own checks cut, with the forces on them: at the plate, and at
-//! the tip of a haunch.
+//! Cross-sections of the beam that its own checks cut, with the forces on them: at the plate, and
+//! at the tip of a haunch.
 
 use super::at_plate;
 use crate::component_method::beam::EQUIVALENT;
@@ -51,8 +51,8 @@ pub(super) fn cuts<'a>(e: &'a EndPlate, a: &PlaneActions) -> Vec<Cut<'a>> {
     vec![plate, own(Part::HaunchTip, tip.0, tip.1)]
 }
 
-/// Forces on the section of the beam where its haunch ends, or at the plate without one, in the axes
-/// of the beam; torsion and weak-axis moment are added up by their sizes.
+/// Forces on the section of the beam where its haunch ends, or at the plate without one, in the
+/// axes of the beam; torsion and weak-axis moment are added up by their sizes.
 ///
 /// # Source
 /// Equilibrium of the piece between the plate and the section, on which no further load acts.

@@ -39,8 +39,8 @@ pub(super) fn under_load(loaded: &LoadedEnd<'_>) -> Vec<Check> {
     out
 }
 
-/// F_h, the force along the haunch flange at the plate, which it is taken to keep up to the tip, from
-/// its part `normal` to the plate.
+/// F_h, the force along the haunch flange at the plate, which it is taken to keep up to the tip,
+/// from its part `normal` to the plate.
 fn flange_force(e: &EndPlate, normal: Traced) -> Formula {
     let slope = at_plate::rafter(e).map_or(0.0, Rafter::lower_slope);
     Formula::new("F_h", normal / Traced::number("cos(α + θ)", slope.cos()), Unit::Force)
@@ -192,9 +192,9 @@ fn pulled(loaded: &LoadedEnd<'_>, h: &Haunch, force: &Formula) -> Vec<Check> {
         .collect()
 }
 
-/// The weld of the haunch web to the flange of the beam under the part of F_h along the beam: fillets
-/// on both sides, or full penetration, as strong in shear as the haunch web. The haunch web in shear
-/// is compared with the same force.
+/// The weld of the haunch web to the flange of the beam under the part of F_h along the beam:
+/// fillets on both sides, or full penetration, as strong in shear as the haunch web. The haunch web
+/// in shear is compared with the same force.
 ///
 /// # Source
 /// EN 1993-1-8:2005 4.5.3.3, 4.7.1; EN 1993-1-1:2005 6.2.6(2) for the web.

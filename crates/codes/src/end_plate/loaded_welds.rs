@@ -281,8 +281,8 @@ pub(super) fn web_strength(e: &EndPlate) -> Traced {
         / Traced::number("γ_M0", e.factors.gamma_m0)
 }
 
-/// Strength of the web per length in tension that its welds must not be spared, that of the stronger
-/// web of a haunched beam \[N/mm\].
+/// Strength of the web per length in tension that its welds must not be spared, that of the
+/// stronger web of a haunched beam \[N/mm\].
 pub(super) fn most_of_web(e: &EndPlate) -> Traced {
     let Some(h) = at_plate::haunch(e) else { return web_strength(e) };
     let ([_, t_w], f_y) = (at_plate::webs(e), h.steel.fy.mpa().max(e.beam_steel.fy.mpa()));

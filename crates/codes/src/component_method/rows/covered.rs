@@ -74,8 +74,8 @@ impl Rows<'_> {
     }
 
     /// Distance of a row from the weld of the flange between the two webs of a haunched end \[mm\],
-    /// infinite without one. That flange does not stiffen the plate in the tables, on the safe side,
-    /// but no T-stub has its bolts on it.
+    /// infinite without one. That flange does not stiffen the plate in the tables, on the safe
+    /// side, but no T-stub has its bolts on it.
     fn to_inner_flange(&self, z: f64) -> f64 {
         let haunch = self.joint.beam.sloped.and_then(|s| s.haunch);
         haunch.map_or(f64::INFINITY, |h| {

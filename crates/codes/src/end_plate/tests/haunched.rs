@@ -1,5 +1,5 @@
-//! Sloping and haunched beams: random joints against a second implementation, and the limits in which
-//! a rafter is a beam.
+//! Sloping and haunched beams: random joints against a second implementation, and the limits in
+//! which a rafter is a beam.
 
 mod loaded;
 mod random;
@@ -36,8 +36,8 @@ fn same(what: &str, a: f64, b: f64, worst: &mut f64) {
     assert!(difference <= 1e-9, "{what}: {a}, by the second implementation {b}");
 }
 
-/// Row forces, limits, M_c,Rd and M_j,Rd of random joints of a rafter with slope and haunch, in both
-/// senses of bending, are those of the second implementation.
+/// Row forces, limits, M_c,Rd and M_j,Rd of random joints of a rafter with slope and haunch, in
+/// both senses of bending, are those of the second implementation.
 #[test]
 fn random_haunched_joints_agree_with_the_second_implementation() {
     let catalog = Catalog::builtin().expect("the shipped catalogue is sound");
@@ -71,8 +71,8 @@ fn random_haunched_joints_agree_with_the_second_implementation() {
     assert!(joints >= 200 && covered >= 500, "{joints} joints, {covered} senses were covered");
 }
 
-/// A rafter without slope and haunch, as deep as the beam, is the beam: all checks are the same, and
-/// so is the component method of an end that is given as sloped by 0.
+/// A rafter without slope and haunch, as deep as the beam, is the beam: all checks are the same,
+/// and so is the component method of an end that is given as sloped by 0.
 #[test]
 fn a_rafter_without_slope_and_haunch_is_a_beam() {
     let load = "{name: A, end: beam_right, at: bolt_plane, My: 60 kN m, Vz: -80 kN, N: -400 kN}";

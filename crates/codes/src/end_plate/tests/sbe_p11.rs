@@ -2,12 +2,14 @@
 //! depth 2 h, half a haunch: 1.5 h, none: h).
 //!
 //! Known of these tables are rafter, plate thickness, bolt and steel. Assumed here:
-//! - the column has the section and the steel of the rafter, with stiffeners as thick as its flanges:
-//!   the page says that the shear of the column web is often critical, and its values hardly change
-//!   with thicker plates (IPE300: 20 mm give 134.7 as well) and stronger bolts (10.9: 136.4);
-//! - the rows have the proportions of the apex tables of the same publication (Tables 4.23 and 4.24,
-//!   M24: 55 mm from the edge, pitch 110 mm, gauge 100 mm, plate 200 mm wide, 15 mm below), scaled by
-//!   the bolt: one row above the flange, two below, with a haunch one more at its lower end;
+//! - the column has the section and the steel of the rafter, with stiffeners as thick as its
+//!   flanges: the page says that the shear of the column web is often critical, and its values
+//!   hardly change with thicker plates (IPE300: 20 mm give 134.7 as well) and stronger bolts (10.9:
+//!   136.4);
+//! - the rows have the proportions of the apex tables of the same publication (Tables 4.23 and
+//!   4.24, M24: 55 mm from the edge, pitch 110 mm, gauge 100 mm, plate 200 mm wide, 15 mm below),
+//!   scaled by the bolt: one row above the flange, two below, with a haunch one more at its lower
+//!   end;
 //! - the rafter is normal to the plate, throats are half of flange and web, β = 1, γ_M0 = γ_M1 = 1.
 //!
 //! With a column so strong that plate, bolts and rafter decide (HEM300, S355) and rows in another
@@ -99,7 +101,7 @@ fn moment_resistances_of_haunched_eaves() {
         let found = moments(row, &catalog);
         let part = [0, 1, 2].map(|i| found[i] / row.4[i]);
         println!(
-            "{} f_y {}: {found:.1?}, {part:.3?} of the table; haunch : none {:.2}, half : none {:.2}",
+            "{} f_y {}: {found:.1?}, {part:.3?} of the table; ratios to none {:.2}, {:.2}",
             row.0,
             row.3[0],
             found[0] / found[2],

@@ -18,8 +18,8 @@ fn find(e: &EndPlate, id: CheckId, part: Part) -> Option<Check> {
     hand_checks(e).checks.into_iter().find(of)
 }
 
-/// The forces at the tip of the haunch, what its flange brings into the web of the beam and along its
-/// seam, for random joints under loads, from the statics of the piece between plate and tip.
+/// The forces at the tip of the haunch, what its flange brings into the web of the beam and along
+/// its seam, for random joints under loads, from the statics of the piece between plate and tip.
 #[test]
 fn the_tip_of_a_haunch_is_in_equilibrium_with_the_plate() {
     let catalog = Catalog::builtin().expect("the shipped catalogue is sound");
@@ -37,8 +37,8 @@ fn the_tip_of_a_haunch_is_in_equilibrium_with_the_plate() {
             };
             out.checks.iter().find(of)
         };
-        // the point on the axis of the beam at the tip: from the lower face of the beam at the plate
-        // along it, then half of the depth across
+        // the point on the axis of the beam at the tip: from the lower face of the beam at the
+        // plate along it, then half of the depth across
         let (s, c) = r.slope.sin_cos();
         let start = r.depth / 2.0 - e.beam.h / c;
         let x = h.length * c - e.beam.h / 2.0 * s;
@@ -98,9 +98,9 @@ fn clause_4_5_3_3_welds_of_inclined_flanges() {
     same("V", shear(&lifted), 80e3 + added, &mut 0.0);
 }
 
-/// Tension at the bottom pulls the web and bends the flange of the beam at the tip: F = M/z_f/cos(α +
-/// θ) sin θ against ω b_eff t_w f_y with b_eff = t_h + 5 (t_f + r), and against b_eff t_h f_y with
-/// b_eff = t_w + 2 r + 7 t_f, no more than the flange is wide.
+/// Tension at the bottom pulls the web and bends the flange of the beam at the tip: F = M/z_f/cos(α
+/// + θ) sin θ against ω b_eff t_w f_y with b_eff = t_h + 5 (t_f + r), and against b_eff t_h f_y
+/// with b_eff = t_w + 2 r + 7 t_f, no more than the flange is wide.
 #[test]
 fn clause_6_2_6_3_the_tip_of_a_haunch_in_tension() {
     let catalog = Catalog::builtin().expect("the shipped catalogue is sound");
@@ -124,8 +124,8 @@ fn clause_6_2_6_3_the_tip_of_a_haunch_in_tension() {
     same("flange", flange.resistance.unwrap_or(f64::NAN), want, &mut 0.0);
 }
 
-/// A flange at more than 30° to the normal of the plate has no fillet welds by 4.3.2.1; stiffeners at
-/// the tip make its web stronger, and slender ones leave it undecided.
+/// A flange at more than 30° to the normal of the plate has no fillet welds by 4.3.2.1; stiffeners
+/// at the tip make its web stronger, and slender ones leave it undecided.
 #[test]
 fn steep_flanges_and_stiffeners_at_the_tip() {
     let catalog = Catalog::builtin().expect("the shipped catalogue is sound");

@@ -98,7 +98,8 @@ impl Plates<'_> {
         (4.0 * plastic(l1) / m).min(mode2).min(bolts)
     }
 
-    /// One row of a T-stub with α above and below it; `next` are the pitches to the rows of its group.
+    /// One row of a T-stub with α above and below it; `next` are the pitches to the rows of its
+    /// group.
     fn row(m: f64, e: f64, beside: [Option<f64>; 2], next: [Option<f64>; 2]) -> Length {
         let a = beside.map(|m2| m2.map(|m2| alpha(m, e, m2)));
         match next {
