@@ -98,9 +98,9 @@ fn clause_4_5_3_3_welds_of_inclined_flanges() {
     same("V", shear(&lifted), 80e3 + added, &mut 0.0);
 }
 
-/// Tension at the bottom pulls the web and bends the flange of the beam at the tip: F = M/z_f/cos(α
-/// + θ) sin θ against ω b_eff t_w f_y with b_eff = t_h + 5 (t_f + r), and against b_eff t_h f_y
-/// with b_eff = t_w + 2 r + 7 t_f, no more than the flange is wide.
+/// Tension at the bottom pulls the web and bends the flange of the beam at the tip. The force is
+/// `M/z_f sin θ/cos(α + θ)`; the web has `ω b_eff t_w f_y`, b_eff = t_h + 5 (t_f + r), the flange
+/// `b_eff t_h f_y`, b_eff = t_w + 2 r + 7 t_f, no more than the flange is wide.
 #[test]
 fn clause_6_2_6_3_the_tip_of_a_haunch_in_tension() {
     let catalog = Catalog::builtin().expect("the shipped catalogue is sound");
