@@ -90,6 +90,7 @@ fn random_joint(n: &mut Numbers, profiles: &[&IProfile]) -> EndPlateJoint {
             } else {
                 0.0
             },
+            sloped: None,
         },
         plate: Plate {
             thickness: plate_thickness,

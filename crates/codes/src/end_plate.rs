@@ -7,7 +7,9 @@
 //! the force of a bolt.
 
 mod assumptions;
+mod at_plate;
 mod beam_checks;
+mod beam_cuts;
 mod bolt_checks;
 mod bolt_forces;
 mod bolt_group;
@@ -25,6 +27,8 @@ mod detailing;
 mod diagram;
 mod doubler;
 mod hand_checks;
+mod haunch_checks;
+mod haunch_tip;
 mod hole_checks;
 mod joint_checks;
 mod joint_stiffness;
@@ -79,6 +83,7 @@ pub fn hand_checks(e: &EndPlate) -> HandChecks {
     out.checks.extend(stiffener_checks::rib_weld(e));
     out.checks.extend(slip_checks::assembly(e));
     out.checks.extend(outside_range::outside_range(e));
+    out.checks.extend(haunch_checks::rules(e));
     out.checks.extend(tying::tying(e));
     out.checks.extend(assumptions::assumptions(e));
     out.checks.extend(assumptions::no_weld_strength(e));

@@ -131,6 +131,17 @@ ids! {
     BeamTorsion "torsion of the beam",
     BeamMomentResistance "moment resistance of the beam",
     Tying "tying resistance, without welds",
+    // haunch of the beam
+    HaunchSteel "steel of the haunch",
+    HaunchFlangeThickness "thickness of the haunch flange, no less than that of the beam",
+    HaunchFlangeWidth "width of the haunch flange, no less than that of the beam",
+    HaunchWebThickness "thickness of the haunch web, no less than that of the beam",
+    HaunchAngle "angle of the haunch flange with the flange of the beam",
+    HaunchTipWeb "web of the beam under the haunch flange",
+    HaunchTipFlange "flange of the beam in bending under the haunch flange",
+    HaunchWebShear "shear of the haunch web along the beam",
+    HaunchSeam "fillet welds of the haunch web, simplified method",
+    InclinedFillet "angle of the fillet welds of a flange",
     // simple joints
     BoltInGroup "shear of the most loaded bolt of the group",
     BearingInGroup "bearing at the most loaded bolt of the group",

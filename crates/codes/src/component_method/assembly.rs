@@ -155,8 +155,7 @@ impl Assessment {
 /// EN 1993-1-8:2005 6.2.7.2(1) to (9), formula 6.25.
 pub fn assess(joint: &EndPlateJoint) -> Result<Assessment, CheckError> {
     let rows = Rows::new(joint)?;
-    let beam = &joint.beam;
-    let beam_moment = beam::bending_6_2_8(&beam.section, beam.fy, beam.shear, joint.gamma_m0);
+    let beam_moment = beam::end_bending(&joint.beam, joint.gamma_m0);
     let panel = panel(joint, &rows).map(|p| (with_stiffeners(p.resistance(), joint), p));
     let (resistance, panel) = panel.unzip();
     // with β = 0 the moments bring no shear into the panel; the shear of the column still may
@@ -284,9 +283,8 @@ fn panel(joint: &EndPlateJoint, rows: &Rows<'_>) -> Option<ShearPanel> {
 /// \[mm\], 6.2.6.1(4); `None` without stiffeners.
 fn panel_stiffeners(joint: &EndPlateJoint) -> Option<[f64; 3]> {
     let c = joint.column.as_ref().filter(|c| c.stiffener > 0.0)?;
-    let b = &joint.beam.section;
     let plastic = |t: f64| 0.25 * c.section.b * t * t * c.fy / joint.gamma_m0;
-    Some([plastic(c.section.tf), plastic(c.stiffener), b.h - b.tf])
+    Some([plastic(c.section.tf), plastic(c.stiffener), joint.beam.lever()])
 }
 
 /// The resistance of the panel with the numbers of the part that stiffeners add.
@@ -312,13 +310,12 @@ fn limits(
     beam_moment: f64,
     panel: Option<&Worked>,
 ) -> Vec<Limit> {
-    let b = &joint.beam;
     let mut out = Vec::new();
     if let Some(c) = &joint.column {
         let worked = CompressedZone::new(joint, c, Way::Down, rows.shear_area()).resistance();
         out.push(Limit { of: Summed::ColumnWeb, worked });
     }
-    let worked = beam::flange_compression(&b.section, beam_moment, b.fy, joint.gamma_m0);
+    let worked = beam::end_compression(&joint.beam, beam_moment, joint.gamma_m0);
     out.push(Limit { of: Summed::BeamFlange, worked });
     if let Some(panel) = panel {
         let mut worked = panel.clone();

@@ -18,16 +18,20 @@ const WEB_OF_STIFFENER: f64 = 15.0;
 ///
 /// `b_eff = t_fb + 2√2 a_p + 5 (t_fc + s) + s_p`, s = r_c; s_p = 2 t_p where the plate reaches far
 /// enough beyond the weld of the compressed flange, t_p at least (spread at 45° through the plate).
+/// t_fb and the legs of the welds are those along the plate. The overhang of the lower edge counts
+/// for both flanges.
 ///
 /// # Source
 /// EN 1993-1-8:2005 6.2.6.2(1), formula 6.11.
-pub fn compressed_width(joint: &EndPlateJoint, c: &Column) -> f64 {
+pub fn compressed_width(joint: &EndPlateJoint, c: &Column, flange: Way) -> f64 {
     let (b, plate) = (&joint.beam, &joint.plate);
     // the plate beyond the outer face of the compressed flange
-    let overhang = -0.5 * b.section.h - plate.bottom;
-    let leg = SQRT_2 * b.flange_throat;
-    let spread = plate.thickness + (overhang - leg).clamp(0.0, plate.thickness);
-    b.section.tf + 2.0 * leg + 5.0 * (c.section.tf + c.section.root) + spread
+    let overhang = -0.5 * b.depth() - plate.bottom;
+    let [outer, inner] = [true, false].map(|outer| b.leg(flange, outer) * b.flange_throat);
+    // beside the lower edge no flange has a longer leg
+    let spread =
+        plate.thickness + (overhang - SQRT_2 * b.flange_throat).clamp(0.0, plate.thickness);
+    b.along(flange) + (outer + inner) + 5.0 * (c.section.tf + c.section.root) + spread
 }
 
 /// A zone of the column web in compression, `width` \[mm\].
@@ -74,9 +78,8 @@ pub struct CompressedZone {
 impl CompressedZone {
     /// The zone of the upper flange (`Way::Up`) or of the lower one; `shear_area` A_vc \[mm²\].
     pub fn new(joint: &EndPlateJoint, c: &Column, flange: Way, shear_area: f64) -> Self {
-        let b = &joint.beam.section;
-        let apart = b.h - b.tf;
-        let half = 0.5 * compressed_width(joint, c);
+        let apart = joint.beam.lever();
+        let half = 0.5 * compressed_width(joint, c, flange);
         let width = half + beyond(joint, c, flange, half);
         let stiffeners = (c.stiffener > 0.0).then(|| StiffenerPair {
             outstand: 0.5 * (c.section.b - c.section.tw),
@@ -101,9 +104,7 @@ impl CompressedZone {
 
 /// Length of web beyond the middle of a flange of the beam, of a `wanted` one \[mm\].
 pub(super) fn beyond(joint: &EndPlateJoint, c: &Column, flange: Way, wanted: f64) -> f64 {
-    let level = 0.5 * (joint.beam.section.h - joint.beam.section.tf);
-    let z = if flange == Way::Up { level } else { -level };
-    c.ends().reach(z, flange, wanted)
+    c.ends().reach(joint.beam.middle(flange), flange, wanted)
 }
 
 impl CompressedWeb {

@@ -25,6 +25,9 @@ pub const SMALL_AXIAL: f64 = 0.05;
 /// The linear programs are in kN and m, so that their numbers are near 1.
 const KILO: f64 = 1e-3;
 
+/// The flanges, as pairs of this module name them.
+const WAYS: [Way; 2] = [Way::Up, Way::Down];
+
 /// A row and its force.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RowPull {
@@ -74,8 +77,8 @@ struct Compression {
     web: f64,
     /// Of all together \[N\].
     total: f64,
-    /// Distance of the flanges from the axis \[mm\].
-    lever: f64,
+    /// z of the middles of the upper and the lower flange \[mm\].
+    middles: [f64; 2],
 }
 
 /// Rule of 6.2.7.2 that the rows of a program follow.
@@ -93,8 +96,8 @@ pub struct Equilibrium {
     sets: Vec<RowSet>,
     /// N_pl,Rd of the beam \[N\].
     pub plastic: f64,
-    /// Distance of the middles of the beam's flanges from its axis \[mm\].
-    pub lever: f64,
+    /// z of the middles of the upper and the lower flange of the beam \[mm\].
+    pub middles: [f64; 2],
     /// N_j,Rd of tension, without moment \[N\].
     pub tension: f64,
     /// N_j,Rd of compression, without moment \[N\].
@@ -117,10 +120,10 @@ impl Equilibrium {
             }
         };
         let beam = &joint.beam;
-        let plastic = beam.section.area * beam.fy / joint.gamma_m0;
+        let plastic = beam.axial_area() * beam.fy / joint.gamma_m0;
         let buckles = joint.column.as_ref().and_then(|c| Compression::buckles(joint, c));
-        let lever = 0.5 * (beam.section.h - beam.section.tf);
-        let mut out = Self { sets, plastic, lever, tension: 0.0, compression: 0.0, buckles };
+        let middles = WAYS.map(|flange| beam.middle(flange));
+        let mut out = Self { sets, plastic, middles, tension: 0.0, compression: 0.0, buckles };
         let alone = |n: f64| out.carried(n, 0.0, Rule::Plastic).map_or(0.0, |c| c.factor * n.abs());
         (out.tension, out.compression) = (alone(plastic), alone(-plastic));
         Ok(out)
@@ -245,7 +248,10 @@ impl RowSet {
                 c.total * KILO,
             );
             force.extend([upper, web, lower].map(|v| (v, -1.0)));
-            turning.extend([(upper, -c.lever * KILO), (lower, c.lever * KILO)]);
+            turning.extend([(upper, -c.middles[0] * KILO), (lower, -c.middles[1] * KILO)]);
+            // the middle of the web, where the flanges are not equal
+            let middle = 0.5 * (c.middles[0] + c.middles[1]);
+            turning.extend((middle != 0.0).then_some((web, -middle * KILO)));
             shear.extend([(upper, -1.0), (lower, 1.0)]);
             [upper, web, lower]
         });
@@ -280,7 +286,8 @@ impl RowSet {
     /// Half of the distance over which forces act \[mm\].
     fn depth(&self) -> f64 {
         let rows = self.z.iter().fold(0.0, |a: f64, z| a.max(z.abs()));
-        self.compression.map_or(rows, |c| c.lever.max(rows)).max(1.0)
+        let flanges = |c: Compression| c.middles.into_iter().fold(rows, |a, z| a.max(z.abs()));
+        self.compression.map_or(rows, flanges).max(1.0)
     }
 }
 
@@ -305,12 +312,12 @@ impl Compression {
     /// Reason why the web between the flanges buckles under compression; without stiffeners it
     /// includes the zones of the flanges. `None` where it does not buckle.
     fn buckles(joint: &EndPlateJoint, c: &Column) -> Option<Derivation> {
-        let (b, width) = (&joint.beam.section, compressed_width(joint, c));
-        let depth = b.h - b.tf;
+        let halves = WAYS.map(|flange| 0.5 * compressed_width(joint, c, flange));
+        let depth = joint.beam.lever();
         let width = match c.stiffener > 0.0 {
-            true => depth - width,
+            true => depth - (halves[0] + halves[1]),
             false => {
-                let both = [Way::Up, Way::Down].map(|flange| beyond(joint, c, flange, 0.5 * width));
+                let both = [0, 1].map(|i| beyond(joint, c, WAYS[i], halves[i]));
                 depth + both[0] + both[1]
             }
         };
@@ -321,26 +328,23 @@ impl Compression {
 
     fn new(joint: &EndPlateJoint, beam_moment: f64, shear_area: f64) -> Self {
         let b = &joint.beam;
-        let lever = 0.5 * (b.section.h - b.section.tf);
-        let of_beam = beam::flange_compression(&b.section, beam_moment, b.fy, joint.gamma_m0).value;
+        let (middles, depth) = (WAYS.map(|flange| b.middle(flange)), b.lever());
+        let of_beam = beam::end_compression(b, beam_moment, joint.gamma_m0).value;
         let web_of_beam = (b.section.area * b.fy / joint.gamma_m0 - 2.0 * of_beam).max(0.0);
         let Some(c) = &joint.column else {
-            return Self { flange: of_beam, web: web_of_beam, total: f64::INFINITY, lever };
+            return Self { flange: of_beam, web: web_of_beam, total: f64::INFINITY, middles };
         };
-        let width = compressed_width(joint, c);
+        let halves = WAYS.map(|flange| 0.5 * compressed_width(joint, c, flange));
         let bare = |width: f64| zone(joint, c, width, shear_area).resistance().value;
         // half a zone beyond either flange, as far as the column reaches
-        let beyond = [Way::Up, Way::Down].map(|flange| beyond(joint, c, flange, 0.5 * width));
+        let beyond = [0, 1].map(|i| beyond(joint, c, WAYS[i], halves[i]));
         let of_zone = |flange| CompressedZone::new(joint, c, flange, shear_area).resistance().value;
         let flange = of_zone(Way::Up).min(of_zone(Way::Down));
-        let between = (2.0 * lever - width).max(0.0);
+        let between = (depth - (halves[0] + halves[1])).max(0.0);
         let between = if between > 0.0 { bare(between) } else { 0.0 };
         // without stiffeners the two zones and the web between them buckle together
-        let total = if c.stiffener > 0.0 {
-            f64::INFINITY
-        } else {
-            bare(beyond[0] + beyond[1] + 2.0 * lever)
-        };
-        Self { flange: of_beam.min(flange), web: web_of_beam.min(between), total, lever }
+        let total =
+            if c.stiffener > 0.0 { f64::INFINITY } else { bare(beyond[0] + beyond[1] + depth) };
+        Self { flange: of_beam.min(flange), web: web_of_beam.min(between), total, middles }
     }
 }

@@ -1,6 +1,7 @@
 //! Dimensions and steels of a bolted end-plate joint, between a beam and a column flange or between
 //! two beams.
 
+use super::sloped_end::SlopedEnd;
 use crate::check::within;
 use crate::error::{CheckError, not_negative, positive};
 use crate::eurocode::i_section::Section;
@@ -67,7 +68,7 @@ impl Column {
     }
 }
 
-/// The beam. Strengths are nominal.
+/// The beam. Strengths are nominal, of a haunched beam the lower ones of beam and haunch.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Beam {
     /// Its section.
@@ -80,9 +81,13 @@ pub struct Beam {
     pub web_throat: f64,
     /// Shear force beside the moment \[N\]; above half of V_pl,Rd it reduces M_c,Rd.
     pub shear: f64,
+    /// Slope and haunch at the plate; `None`: the beam is normal to the plate.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sloped: Option<SlopedEnd>,
 }
 
-/// The end plate; z from the beam's axis, up positive.
+/// The end plate; z from the beam's axis, or from the middle of the depth of a [`SlopedEnd`], up
+/// positive.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Plate {
     /// Thickness \[mm\].
@@ -155,6 +160,7 @@ impl EndPlateJoint {
             (turned.above, turned.below) = (ends.above, ends.below);
         }
         (j.plate.bottom, j.plate.top) = (-self.plate.top, -self.plate.bottom);
+        j.beam.sloped = j.beam.sloped.map(SlopedEnd::mirrored);
         j.bolts.rows.iter_mut().for_each(|z| *z = -*z);
         j
     }
@@ -211,7 +217,7 @@ impl EndPlateJoint {
             "it lies between 0 and 2 (5.3(7))",
         )?;
         c.map_or(Ok(()), Column::check)?;
-        let half = 0.5 * b.section.h;
+        let half = 0.5 * b.depth();
         range(
             "upper edge of the plate [mm]",
             p.top,

@@ -2,6 +2,7 @@
 
 pub mod assembly;
 pub mod beam;
+pub mod beam_end;
 pub mod column_web;
 pub mod component_kind;
 pub mod compressed_zone;
@@ -9,6 +10,7 @@ pub mod effective_lengths;
 pub mod equilibrium;
 pub mod joint;
 pub mod rows;
+pub mod sloped_end;
 pub mod stability;
 pub mod stiffness;
 pub mod t_stub;

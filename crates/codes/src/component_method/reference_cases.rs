@@ -49,7 +49,7 @@ pub(super) fn bolts(size: &str, grip: f64, gauge: f64, rows: &[f64]) -> Bolts {
 pub(super) fn beam(profile: &str, fy: f64, flange_throat: f64, web_throat: f64) -> Beam {
     let catalog = Catalog::builtin().expect("the shipped catalogue is sound");
     let section = catalog.profile(profile).expect("catalogued").into();
-    Beam { section, fy, flange_throat, web_throat, shear: 0.0 }
+    Beam { section, fy, flange_throat, web_throat, shear: 0.0, sloped: None }
 }
 
 /// UC 254x254x107, UB 533x210x92 on both sides with equal moments, S275, plate 670 x 250 x 25, M24

@@ -9,17 +9,17 @@ use super::effective_lengths::{self as lengths, Lengths};
 use super::joint::{Column, EndPlateJoint};
 use super::t_stub::{Mode, Prying, TStub, prying};
 use super::{beam, column_web};
-use crate::check::{number as n, within};
 use crate::error::CheckError;
 use crate::worked::Worked;
-use bracket_base::say;
-use bracket_base::words::Text;
 use bracket_joint::assembly::Way;
 use std::f64::consts::SQRT_2;
 
-/// Fraction of the leg of a fillet weld in which no plastic hinge forms, figures 6.8 and 6.10: 0.8
-/// a √2.
-const WELD: f64 = 0.8 * SQRT_2;
+mod covered;
+
+/// Fraction of the leg of a fillet weld in which no plastic hinge forms, figures 6.8 and 6.10.
+const LEG: f64 = 0.8;
+/// The same over the throat of a weld at a right angle: 0.8 a √2.
+const WELD: f64 = LEG * SQRT_2;
 /// Fraction of a root radius in which no plastic hinge forms, figure 6.8.
 const ROOT: f64 = 0.8;
 
@@ -95,8 +95,7 @@ impl<'a> Rows<'a> {
 
     fn of(joint: &'a EndPlateJoint, flanges: Flanges) -> Result<Self, CheckError> {
         joint.check()?;
-        let b = &joint.beam.section;
-        let centre = -0.5 * (b.h - b.tf);
+        let centre = joint.beam.middle(Way::Down);
         let pulled = |z: &f64| flanges == Flanges::Both || *z > centre;
         let mut z: Vec<f64> = joint.bolts.rows.iter().copied().filter(pulled).collect();
         z.sort_by(|a, b| b.total_cmp(a));
@@ -114,67 +113,6 @@ impl<'a> Rows<'a> {
         Ok(rows)
     }
 
-    /// Refuses rows that the tables of effective lengths do not cover.
-    fn covered(&self) -> Result<(), CheckError> {
-        let not = |what: Text, clause, step| Err(CheckError::NotCovered { what, clause, step });
-        let outside =
-            |up: bool| self.z.iter().filter(|z| self.outside(**z) && (**z > 0.0) == up).count();
-        if outside(true) > 1 || outside(false) > 1 {
-            return not(
-                "two rows or more lie outside the tension flange of the beam".into(),
-                "EN 1993-1-8:2005 Table 6.6",
-                "one row outside each flange (`bolts.rows`)",
-            );
-        }
-        let (gauge, flange) = (self.joint.bolts.gauge, self.joint.beam.section.b);
-        if !within(gauge, flange) {
-            return not(
-                say!(
-                    "the bolts stand beyond the tips of the beam flange: a gauge of {} mm beside a \
-                     flange of {} mm leaves the T-stub of the end plate without a flange",
-                    n(gauge),
-                    n(flange)
-                ),
-                "EN 1993-1-8:2005 figure 6.10",
-                "a gauge inside the flange (`bolts.gauge`)",
-            );
-        }
-        let column =
-            self.joint.column.as_ref().map(|c| (self.m_column(c), ComponentKind::ColumnWeb));
-        for (m, what) in column.into_iter().chain([(self.m_beam(), ComponentKind::BeamWeb)]) {
-            if m <= 0.0 {
-                let what = what.words();
-                return not(
-                    say!("the bolts stand in the root or weld of the {}: m = {} mm", what, n(m)),
-                    "EN 1993-1-8:2005 figures 6.8 and 6.10",
-                    "a wider gauge (`bolts.gauge`)",
-                );
-            }
-        }
-        for (i, z) in self.z.iter().enumerate() {
-            let to_flange = match self.outside(*z) {
-                true => self.mx(*z),
-                false => self.to_flanges(*z).into_iter().flatten().fold(f64::INFINITY, f64::min),
-            };
-            if to_flange <= 0.0 {
-                return not(
-                    say!("the row at z = {} mm stands on the beam flange or its weld", n(*z)),
-                    "EN 1993-1-8:2005 figure 6.10",
-                    "a row farther from the flange (`bolts.rows`)",
-                );
-            }
-            let [above, below] = self.stiffeners(i);
-            if above.into_iter().chain(below).any(|m2| m2 <= 0.0) {
-                return not(
-                    say!("the row at z = {} mm stands on a stiffener of the column", n(*z)),
-                    "EN 1993-1-8:2005 figure 6.11",
-                    "a row farther from the stiffener (`bolts.rows`)",
-                );
-            }
-        }
-        Ok(())
-    }
-
     /// Number of rows in tension.
     pub fn count(&self) -> usize {
         self.z.len()
@@ -187,7 +125,20 @@ impl<'a> Rows<'a> {
 
     /// Whether a row lies outside a tension flange.
     fn outside(&self, z: f64) -> bool {
-        z.abs() > 0.5 * (self.joint.beam.section.h - self.joint.beam.section.tf)
+        self.beyond(z).is_some()
+    }
+
+    /// The flange beyond whose middle a row lies.
+    fn beyond(&self, z: f64) -> Option<Way> {
+        let b = &self.joint.beam;
+        [(Way::Up, z > b.middle(Way::Up)), (Way::Down, z < b.middle(Way::Down))]
+            .into_iter()
+            .find_map(|(flange, beyond)| beyond.then_some(flange))
+    }
+
+    /// What a hinge leaves free of the weld on a face of a flange \[mm\].
+    fn flange_weld(&self, flange: Way, outer: bool) -> f64 {
+        LEG * self.joint.beam.leg(flange, outer) * self.joint.beam.flange_throat
     }
 
     /// m of the column flange \[mm\], figure 6.8.
@@ -214,7 +165,8 @@ impl<'a> Rows<'a> {
 
     /// m_x of a row outside the flange \[mm\], figure 6.10.
     fn mx(&self, z: f64) -> f64 {
-        z.abs() - 0.5 * self.joint.beam.section.h - WELD * self.joint.beam.flange_throat
+        let flange = if z > 0.0 { Way::Up } else { Way::Down };
+        z.abs() - 0.5 * self.joint.beam.depth() - self.flange_weld(flange, true)
     }
 
     /// Distance of a row outside a flange from the edge of the plate \[mm\].
@@ -225,9 +177,10 @@ impl<'a> Rows<'a> {
     /// m2 of a row between the flanges to the upper and the lower one, as far as they are in
     /// tension \[mm\], figure 6.11.
     fn to_flanges(&self, z: f64) -> [Option<f64>; 2] {
-        let s = &self.joint.beam.section;
-        let clear = 0.5 * s.h - s.tf - WELD * self.joint.beam.flange_throat;
-        [Some(clear - z), (self.flanges == Flanges::Both).then_some(clear + z)]
+        let b = &self.joint.beam;
+        let clear = |flange| 0.5 * b.depth() - b.along(flange) - self.flange_weld(flange, false);
+        let lower = (self.flanges == Flanges::Both).then(|| clear(Way::Down) + z);
+        [Some(clear(Way::Up) - z), lower]
     }
 
     /// m2 to the tension flange next above and next below a row between the flanges, where no other
@@ -261,15 +214,15 @@ impl<'a> Rows<'a> {
         let Some(c) = self.joint.column.as_ref().filter(|c| c.stiffener > 0.0) else {
             return [None, None];
         };
-        let (s, z) = (&self.joint.beam.section, self.z[row]);
-        let level = 0.5 * (s.h - s.tf);
+        let z = self.z[row];
+        let [upper, lower] = [Way::Up, Way::Down].map(|f| self.joint.beam.middle(f));
         let clear = |distance: f64| distance - 0.5 * c.stiffener - WELD * c.stiffener_throat;
         let first = row == 0 || self.stretch(row - 1) != self.stretch(row);
         let last = row + 1 == self.count() || self.stretch(row + 1) != self.stretch(row);
         match self.stretch(row) {
-            0 => [None, last.then(|| clear(z - level))],
-            2 => [first.then(|| clear(-level - z)), None],
-            _ => [first.then(|| clear(level - z)), last.then(|| clear(z + level))],
+            0 => [None, last.then(|| clear(z - upper))],
+            2 => [first.then(|| clear(lower - z)), None],
+            _ => [first.then(|| clear(upper - z)), last.then(|| clear(z - lower))],
         }
     }
 

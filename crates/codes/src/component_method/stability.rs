@@ -80,7 +80,7 @@ pub(super) fn stability(
             });
         }
     }
-    if beam::class(&joint.beam.section, joint.beam.fy) == Class::Slender {
+    if beam::end_class(&joint.beam) == Class::Slender {
         let why = "the beam is of class 4 in bending: its compressed flange or web buckles before \
                    it yields"
             .into();

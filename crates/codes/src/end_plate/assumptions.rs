@@ -1,5 +1,6 @@
 //! Assumptions of the checks where the spec gives no value, and input that the code does not cover.
 
+use super::at_plate;
 use super::column_forces::{ColumnForces, corner};
 use crate::check::{Binding, Check, CheckId, Status, Topic, Unit};
 use crate::subject::{Part, Place};
@@ -48,9 +49,14 @@ pub(super) fn no_weld_strength(e: &EndPlate) -> Vec<Check> {
         .map(|c| (c.stiffener_throat.max(c.doubler_throat), &c.steel, Part::Column));
     let beam = e.beam_steel.weaker(&e.plate_steel);
     let beam = (e.flange_throat.max(e.web_throat).max(e.rib_throat), beam, Part::BeamAndEndPlate);
+    let haunch = at_plate::haunch(e).map(|h| {
+        let throat = h.seam_throat.max(e.flange_throat).max(e.web_throat);
+        (throat, e.beam_steel.weaker(&h.steel), Part::Haunch)
+    });
     let without = column
         .into_iter()
         .chain([beam])
+        .chain(haunch)
         .filter(|(throat, steel, _)| *throat > 0.0 && steel.beta_w.is_none());
     without.map(|(_, steel, part)| without_strength(part, steel)).collect()
 }

@@ -1,11 +1,13 @@
 //! The beam's own cross-section under the actions at the joint.
 
+use super::at_plate;
+use super::beam_cuts::{self, Cut};
 use crate::check::{Check, CheckId, Status, Topic, Unit, number as n, within};
 use crate::eurocode::i_section::Section;
 use crate::eurocode::section::{Class, CrossSection, Slenderness, shear_reduction};
 use crate::eurocode::yielding::{plastic_shear, yield_strength};
 use crate::formula::{Derivation, Formula, Number, Traced};
-use crate::subject::{Part, Subject};
+use crate::subject::Subject;
 use crate::worked::Worked;
 use bracket_base::say;
 use bracket_base::words::Text;
@@ -13,20 +15,26 @@ use bracket_joint::assembly::{EndPlate, PlaneActions};
 use bracket_joint::catalog::IProfile;
 use bracket_joint::strength::Strength;
 
-/// Shear, axial force and moment of the beam at the bolt plane. They bind: a beam that cannot carry
-/// these forces cannot load the joint with them.
+/// Shear, axial force and moment of the beam at the bolt plane, and at the tip of its haunch. They
+/// bind: a beam that cannot carry these forces cannot load the joint with them.
 ///
 /// # Source
 /// EN 1993-1-1:2005 6.2.
 pub(super) fn beam(e: &EndPlate, a: &PlaneActions) -> Vec<Check> {
-    let [[axial, vy, vz], [torsion, my, mz]] = a.at(1.0);
+    beam_cuts::cuts(e, a).iter().flat_map(|cut| at_cut(e, a, cut)).collect()
+}
+
+/// The checks of one cross-section.
+fn at_cut(e: &EndPlate, a: &PlaneActions, cut: &Cut<'_>) -> Vec<Check> {
+    let [[axial, vy, vz], [torsion, my, mz]] = cut.at;
     let beam = CrossSection {
-        section: (&e.beam).into(),
-        fy: e.beam_steel.fy,
+        section: cut.profile.as_ref().into(),
+        fy: cut.fy,
         gamma_m0: e.factors.gamma_m0,
     };
-    let subject = Subject::end(&a.end).and(Part::Beam);
+    let subject = Subject::end(&a.end).and(cut.part);
     let against = |worked: Worked, demand: f64| {
+        let worked = worked.after(cut.words.clone());
         worked.against(Topic::Member, subject.clone(), demand.abs(), Status::Failed)
     };
     let mut out = Vec::new();
@@ -35,6 +43,7 @@ pub(super) fn beam(e: &EndPlate, a: &PlaneActions) -> Vec<Check> {
         let (slenderness, limit) = beam.web_slenderness();
         if !within(slenderness, limit) {
             let worked = beam.shear_buckling(e.factors.gamma_m1);
+            let worked = worked.after(cut.words.clone());
             out.push(worked.against(Topic::Stability, subject.clone(), vz.abs(), Status::Failed));
         }
     }
@@ -45,7 +54,7 @@ pub(super) fn beam(e: &EndPlate, a: &PlaneActions) -> Vec<Check> {
         out.push(against(beam.axial(), axial));
     }
     if torsion != 0.0 {
-        out.extend(twisted(&beam, e.beam.torsion_constant(), torsion, [vy, vz], &subject));
+        out.extend(twisted(&beam, cut.profile.torsion_constant(), torsion, [vy, vz], &subject));
     }
     // compression alone can be too much for a slender web
     if my != 0.0 || mz != 0.0 || axial < 0.0 {
@@ -57,7 +66,7 @@ pub(super) fn beam(e: &EndPlate, a: &PlaneActions) -> Vec<Check> {
                     worked = worked.then(rho).becomes("M_Rd,red", reduced);
                 }
                 if mz != 0.0 {
-                    let weak = WeakAxis::new(e, &beam, axial, across);
+                    let weak = WeakAxis::new(&cut.profile, &beam, axial, across);
                     out.push(weak.beside(&worked, [my, mz]).utilised(
                         Topic::Member,
                         subject.clone(),
@@ -126,7 +135,7 @@ impl WeakAxis {
     /// EN 1993-1-1:2005 6.2.9.1(5) and (6) in classes 1 and 2, α = 2, β = 5 n ≥ 1; 6.2.9.2 in class
     /// 3: the stresses add.
     fn new(
-        e: &EndPlate,
+        profile: &IProfile,
         beam: &CrossSection,
         axial: f64,
         across: Option<(Formula, Traced)>,
@@ -145,7 +154,7 @@ impl WeakAxis {
             let flanges = number(2.0) * Traced::length("b", s.b) * Traced::length("t_f", s.tf);
             let a = ((area() - flanges) / area()).min(number(0.5));
             let a = Formula::new("a", a, Unit::Number);
-            let mut resistance = Traced::number("W_pl,z", 1e3 * e.beam.w_pl_z) * fyd;
+            let mut resistance = Traced::number("W_pl,z", 1e3 * profile.w_pl_z) * fyd;
             if n.value > a.value {
                 let beyond = (n.traced() - a.traced()) / (number(1.0) - a.traced());
                 resistance = resistance * not_negative(number(1.0) - beyond.powi(2));
@@ -158,7 +167,7 @@ impl WeakAxis {
             }
             (resistance, exponents, "EN 1993-1-1:2005 6.2.9.1(6)")
         } else {
-            let mut resistance = Traced::number("W_el,z", 1e3 * e.beam.w_el_z) * fyd;
+            let mut resistance = Traced::number("W_el,z", 1e3 * profile.w_el_z) * fyd;
             if axial != 0.0 {
                 resistance = resistance * not_negative(number(1.0) - n.traced());
             }
@@ -250,7 +259,7 @@ fn twisted(
 /// Note on actions that exceed the resistance of the beam itself: most likely a wrong number or
 /// unit.
 pub(super) fn beyond_the_beam(e: &EndPlate, a: &PlaneActions) -> Option<Text> {
-    beyond_a_beam((&e.beam, &e.beam_steel), e.factors.gamma_m0, a)
+    beyond_a_beam((&at_plate::section(e), at_plate::steel(e)), e.factors.gamma_m0, a)
 }
 
 /// The same for a beam with its steel.

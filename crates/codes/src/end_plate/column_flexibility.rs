@@ -15,6 +15,7 @@
 //! is left out: it is that of the web panel in shear, a component of the joint (k1 of Table 6.11
 //! with β = 1).
 
+use super::at_plate;
 use bracket_joint::assembly::EndPlate;
 use bracket_joint::assembly::column_span::ColumnSpan;
 use bracket_joint::catalog::IProfile;
@@ -56,7 +57,7 @@ pub(super) fn column_flexibility(e: &EndPlate) -> Option<f64> {
     let flat = c.section.h - 2.0 * (c.section.tf + c.section.r);
     let column = ColumnBeam {
         span: c.span?,
-        lever: e.beam.h - e.beam.tf,
+        lever: at_plate::beam(e).lever(),
         // cm⁴ → mm⁴
         flexural: young * 1e4 * c.section.i_y,
         shear: modulus * area,

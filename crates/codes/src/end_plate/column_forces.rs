@@ -76,9 +76,15 @@ impl CornerForces {
         let lift = balance(of_case(e, case).map(|a| a.at(1.0)[0][2]));
         let (push, at_node) = (horizontal(of_case(e, case)), node_moment(e, case));
         // the column below is pressed by what weighs on the node, the one above pulled
+        let half = 0.5 * e.depth();
+        // the outer face of the beam's flange beyond the node, the farther one of several beams
+        let beyond = |side: f64| {
+            let faces = of_case(e, case).map(|a| half + side * a.above_node);
+            faces.reduce(f64::max).unwrap_or(half)
+        };
         let (axial, lever) = match corner {
-            Corner::Below => (lift, 0.5 * e.beam.h),
-            Corner::Above => (-lift, -0.5 * e.beam.h),
+            Corner::Below => (lift, beyond(-1.0)),
+            Corner::Above => (-lift, -beyond(1.0)),
         };
         let moment = at_node.abs().max((at_node + lever * push).abs());
         Some(Self { axial, moment, at_node: at_node.abs(), shear: push.abs() })

@@ -113,11 +113,13 @@ impl Method {
             .collect();
         forces.retain(|f| f.1 > 0.0);
         forces.sort_by(|a, b| b.2.total_cmp(&a.2));
-        let (above, axis, below) = (n(e.lever), n(0.0), n(-e.lever));
+        let [top, bottom] = e.middles;
+        let middle = 0.5 * (top + bottom);
+        let (above, axis, below) = (n(top), n(middle), n(bottom));
         let parts = [
-            (say!("F of the upper flange at z = {} mm", above), upper, e.lever),
-            (say!("F of the web at z = {} mm", axis), web, 0.0),
-            (say!("F of the lower flange at z = {} mm", below), lower, -e.lever),
+            (say!("F of the upper flange at z = {} mm", above), upper, top),
+            (say!("F of the web at z = {} mm", axis), web, middle),
+            (say!("F of the lower flange at z = {} mm", below), lower, bottom),
         ];
         let pushed = parts.into_iter().filter(|p| p.1 > 0.0);
         forces.extend(pushed.map(|(symbol, push, z)| (symbol, -push, z)));

@@ -1,11 +1,12 @@
 //! An end plate as the joint of the component method.
 
+use super::at_plate;
 use super::bolt_checks::bolt_tension;
 use super::clamped_plates::WASHERS;
 use super::column_forces::ColumnForces;
 use super::doubler::{doubler_fault, doubler_width};
 use super::national_annex;
-use crate::component_method::joint::{Beam, Bolts, Column, EndPlateJoint, Plate};
+use crate::component_method::joint::{Bolts, Column, EndPlateJoint, Plate};
 use crate::eurocode::bolt_length;
 use bracket_joint::assembly::EndPlate;
 
@@ -27,13 +28,7 @@ pub(super) fn component_joint(e: &EndPlate, beta: f64) -> EndPlateJoint {
     });
     EndPlateJoint {
         column,
-        beam: Beam {
-            section: (&e.beam).into(),
-            fy: e.beam_steel.fy.mpa(),
-            flange_throat: e.flange_throat,
-            web_throat: e.web_throat,
-            shear: 0.0,
-        },
+        beam: at_plate::beam(e),
         plate: Plate {
             thickness: e.thickness,
             width: e.width,

@@ -1,6 +1,7 @@
 //! Component method for each sense of bending: its tables, the welds that must not limit the joint,
 //! and the parts on which its rotation capacity depends.
 
+use super::at_plate;
 use super::capacity::Capacity;
 use super::component_joint::component_joint;
 use super::doubler::doubler_fault;
@@ -69,6 +70,13 @@ pub(super) fn left_out(e: &EndPlate) -> Vec<Text> {
         out.push(
             "component method: the rib is left out, on the safe side (EN 1993-1-8 has no formula \
              for it)"
+                .into(),
+        );
+    }
+    if at_plate::haunch(e).is_some() {
+        out.push(
+            "component method: the flange of the beam between its web and that of the haunch does \
+             not stiffen the end plate, on the safe side"
                 .into(),
         );
     }

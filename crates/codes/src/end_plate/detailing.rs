@@ -1,6 +1,7 @@
 //! Detailing of an end plate: spacing and edge distances, room for tools and washers, length of the
 //! bolts.
 
+use super::at_plate;
 use super::bolt_rows::{bolt, end_distance, from_top, pitches};
 use super::clamped_plates::{WASHERS, other_thickness, stocked_length};
 use crate::check::{Check, CheckId, Status, Step, Topic, Unit, number as n, within};
@@ -11,7 +12,7 @@ use crate::eurocode::spacing::{Pattern, pattern_checks, washer_check, wrench_che
 use crate::formula::Traced;
 use crate::subject::{Part, Place, Subject};
 use bracket_base::say;
-use bracket_joint::assembly::{ColumnSide, EndPlate};
+use bracket_joint::assembly::{ColumnSide, EndPlate, Way};
 use std::f64::consts::SQRT_2;
 
 /// All checks of detailing.
@@ -55,17 +56,23 @@ fn room(e: &EndPlate) -> Vec<Check> {
     let (d, mut out) = (e.bolt.d, Vec::new());
     let stiffener = e.column.as_ref().map_or(0.0, |c| c.stiffener);
     let leg = |throat: f64| SQRT_2 * throat;
-    let (outer, inner) = (0.5 * e.beam.h, 0.5 * e.beam.h - e.beam.tf);
+    let beam = at_plate::beam(e);
     for z in from_top(e) {
-        let a = z.abs();
+        let (a, outer) = (z.abs(), 0.5 * e.depth());
+        let inner = outer - beam.along(if z < 0.0 { Way::Down } else { Way::Up });
         let mut room = if a > outer { a - outer } else { inner - a } - leg(e.flange_throat);
+        // the flange between the two webs of a haunched beam
+        if let Some([lower, upper]) = at_plate::inner_flange(e) {
+            room = room.min((z - upper).max(lower - z) - leg(e.flange_throat));
+        }
         if stiffener > 0.0 {
             room = room.min((a - 0.5 * (outer + inner)).abs() - 0.5 * stiffener);
         }
         let place = Subject::from(Place::Rows(vec![z])).and(Part::FlangesAndStiffeners);
         out.push(wrench_check(place, room, d));
     }
-    out.push(wrench_check(Part::BeamWeb, 0.5 * (e.gauge - e.beam.tw) - leg(e.web_throat), d));
+    let [_, web] = at_plate::webs(e);
+    out.push(wrench_check(Part::BeamWeb, 0.5 * (e.gauge - web) - leg(e.web_throat), d));
     if let Some(c) = &e.column {
         let to_web = 0.5 * (e.gauge - c.section.tw);
         out.push(wrench_check(Part::ColumnWeb, to_web, d));

@@ -1,6 +1,7 @@
 //! Initial stiffness of a joint from the bracket of the rotation in an elastic analysis, and its
 //! class by stiffness.
 
+use super::at_plate;
 use super::column_flexibility::column_flexibility;
 use crate::classification::{StiffnessClass, stiffness_limits};
 use crate::component_method::Assessment;
@@ -41,7 +42,7 @@ pub struct PureMoment {
 
 impl PureMoment {
     /// The load case at a member end; `None` unless it is a moment alone and the template states
-    /// the length of beam that bends.
+    /// the length of beam that bends. A haunched beam has no one stiffness over that length.
     pub(super) fn new(
         e: &EndPlate,
         a: &PlaneActions,
@@ -50,12 +51,13 @@ impl PureMoment {
     ) -> Option<Self> {
         let [[n, vy, vz], [torsion, my, mz]] = a.live;
         let small = ROUNDING * my.abs();
-        let others = [n, vy, vz].map(|f| f * e.beam.h).into_iter().chain([torsion, mz]);
+        let others = [n, vy, vz].map(|f| f * e.depth()).into_iter().chain([torsion, mz]);
         let dead = a.dead.iter().flatten().any(|x| *x != 0.0);
         if my == 0.0
             || dead
             || others.into_iter().any(|x| x.abs() > small)
             || e.bending_length <= 0.0
+            || at_plate::haunch(e).is_some()
         {
             return None;
         }

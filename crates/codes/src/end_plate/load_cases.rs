@@ -7,6 +7,7 @@ use super::class_checks::classes;
 use super::column_checks;
 use super::comparison::Comparison;
 use super::hand_checks::HandChecks;
+use super::haunch_tip;
 use super::joint_checks;
 use super::joint_stiffness::PureMoment;
 use super::loaded_welds;
@@ -17,7 +18,6 @@ use super::stiffener_checks::{doubler_welds, stiffeners};
 use super::transformation::beta;
 use super::weld_checks;
 use crate::check::{Check, CheckId, Status, Topic, Unit, within};
-use crate::eurocode::i_section::Section;
 use crate::eurocode::yielding::plastic_shear;
 use crate::subject::{Sense, Subject};
 use bracket_base::say;
@@ -74,6 +74,7 @@ pub(super) fn checks(e: &EndPlate, out: &mut HandChecks) {
             found.extend(stability);
             found.extend(BoltForces::new(&loaded).checks());
             found.extend(joint_checks::panel(&end));
+            found.extend(haunch_tip::under_load(&loaded));
             found.extend(loaded_welds::under_load(e, a));
             found.extend(weld_checks::tension_zone(&loaded));
             found.extend(stiffeners(&loaded));
@@ -158,8 +159,8 @@ fn no_moment(end: &MemberEnd<'_>, moment: f64) -> Option<Check> {
     let none = Check::undecided(Topic::ComponentMethod, end.subject(), clause, id, why, step);
     // beyond V_pl,Rd the check of the shear force fails, with its number
     let e = end.e;
-    let area = Section::from(&e.beam).shear_area();
-    let plastic = plastic_shear(area, e.beam_steel.fy.mpa(), e.factors.gamma_m0);
+    let beam = &end.joint.beam;
+    let plastic = plastic_shear(beam.section.shear_area(), beam.fy, e.factors.gamma_m0);
     let status = if within(vz.abs(), plastic) { Status::Failed } else { none.status };
     Some(Check { status, ..none }.of_strength())
 }

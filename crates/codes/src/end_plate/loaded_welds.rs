@@ -1,11 +1,12 @@
 //! Fillet welds of the beam under the actions of a load case: those of the flanges take moment and
 //! axial force, those of the web the shear force and what the flanges cannot take.
 
+use super::at_plate::{self, PlateFlange};
 use super::weld_lengths;
 use super::welded_steel;
 use crate::check::{Check, CheckId, Status, Topic, Unit, within};
 use crate::eurocode::welds::{
-    LineForce, WeldedSteel, either_method, full_strength_throat, transverse,
+    LineForce, WeldedSteel, either_method, full_strength_throat, simplified, transverse,
 };
 use crate::formula::{Derivation, Formula, Line, Number, Traced};
 use crate::subject::{Part, Subject};
@@ -32,22 +33,51 @@ struct FlangeForces {
     moment: f64,
 }
 
+impl FlangeForces {
+    /// Measure of what goes through the web \[N\].
+    fn beyond(&self) -> f64 {
+        self.axial + self.moment
+    }
+}
+
 /// Resistance of a flange as a plate, `b t_f f_y/γ_M0` \[N\].
-pub(super) fn flange_strength(e: &EndPlate) -> Traced {
-    Traced::length("b", e.beam.b)
-        * Traced::length("t_f", e.beam.tf)
-        * Traced::stress("f_y", e.beam_steel.fy.mpa())
+pub(super) fn flange_strength(e: &EndPlate, f: &PlateFlange<'_>) -> Traced {
+    Traced::length("b", f.width)
+        * Traced::length("t_f", f.thickness)
+        * Traced::stress("f_y", f.steel.fy.mpa())
         / Traced::number("γ_M0", e.factors.gamma_m0)
 }
 
-/// Lever arm of the flanges, `h − t_f` \[mm\].
+/// The same normal to the plate, times cos θ of the slope of the flange \[N\].
+fn normal_strength(e: &EndPlate, f: &PlateFlange<'_>) -> Traced {
+    match f.is_normal() {
+        true => flange_strength(e, f),
+        false => flange_strength(e, f) * cosine(f),
+    }
+}
+
+/// cos of the angle of a flange with the normal of the plate.
+fn cosine(f: &PlateFlange<'_>) -> Traced {
+    Traced::number("cos θ", f.slope.cos())
+}
+
+/// Force along a flange whose part normal to the plate is `normal` \[N\].
+pub(super) fn along_flange(f: &PlateFlange<'_>, normal: Traced) -> Traced {
+    if f.is_normal() { normal } else { normal / cosine(f) }
+}
+
+/// Lever arm of the flanges, `h − t_f`, or z_f between the middles of sloped ones along the plate
+/// \[mm\].
 pub(super) fn flange_lever(e: &EndPlate) -> Traced {
-    Traced::length("h", e.beam.h) - Traced::length("t_f", e.beam.tf)
+    match at_plate::rafter(e) {
+        Some(_) => Traced::length("z_f", at_plate::beam(e).lever()),
+        None => Traced::length("h", e.beam.h) - Traced::length("t_f", e.beam.tf),
+    }
 }
 
 /// Shares of the flanges: half of the axial force, and the moment on their lever arm, no more than
 /// a flange can bring. What is beyond it goes through the web.
-fn flange_forces(e: &EndPlate, axial: f64, my: f64) -> FlangeForces {
+fn flange_forces(e: &EndPlate, f: &PlateFlange<'_>, axial: f64, my: f64) -> FlangeForces {
     let bending = Traced::symbol("My", my, Unit::Moment).abs() / flange_lever(e);
     let n = Traced::force("N", axial);
     let half = |n: Traced| n / Traced::from(2.0);
@@ -61,7 +91,7 @@ fn flange_forces(e: &EndPlate, axial: f64, my: f64) -> FlangeForces {
             true => bending.clone().max(Traced::from(BESIDE_CONTACT) * compression),
         }
     };
-    let most = flange_strength(e).value();
+    let most = normal_strength(e, f).value();
     let over = |force: f64| force.signum() * (force.abs() - most).max(0.0);
     let (bending, half) = (bending.value(), 0.5 * axial);
     let (tension, compression) = (bending + half, bending - half);
@@ -70,7 +100,7 @@ fn flange_forces(e: &EndPlate, axial: f64, my: f64) -> FlangeForces {
     let t = if by_contact { over(tension).max(0.0) } else { over(tension) };
     let c = if by_contact { over(compression).min(0.0) } else { over(compression) };
     let whole = uncapped.value();
-    let weld = Formula::new("F_Ed", uncapped.min(flange_strength(e)), Unit::Force);
+    let weld = Formula::new("F_Ed", uncapped.min(normal_strength(e, f)), Unit::Force);
     let force = weld.value;
     let mut derivation = Derivation::from(weld);
     if !within(whole, most) {
@@ -86,44 +116,61 @@ pub(super) fn under_load(e: &EndPlate, a: &PlaneActions) -> Vec<Check> {
     let mut out = Vec::new();
     let Some(steel) = welded_steel::of_the_beam(e) else { return out };
     let [[axial, vy, vz], [_, my, _]] = a.at(1.0);
-    let forces = flange_forces(e, axial, my);
+    let flanges = at_plate::flanges(e);
+    let each = flanges.iter().map(|f| (f, flange_forces(e, f, axial, my)));
+    let each: Vec<_> = each.collect();
     if e.flange_throat > 0.0 {
-        let subject = Subject::end(&a.end).and(Part::BeamFlange);
-        out.push(flange(e, &forces, vy, &steel, subject));
+        for (f, forces) in &each {
+            let subject = Subject::end(&a.end).and(f.part);
+            out.push(flange(e, f, forces, vy, &steel, subject));
+        }
     }
-    if e.web_throat > 0.0 {
+    // the weaker flange leaves the web more
+    let left =
+        each.iter().map(|(_, forces)| forces).max_by(|a, b| a.beyond().total_cmp(&b.beyond()));
+    if let Some(forces) = left.filter(|_| e.web_throat > 0.0) {
         let subject = Subject::end(&a.end).and(Part::BeamWeb);
-        out.extend(web(e, &forces, vz, &steel, subject));
+        let shear = at_plate::web_shear(e, [[axial, vy, vz], [0.0, my, 0.0]]);
+        out.extend(web(e, forces, shear, &steel, subject));
     }
     out
 }
 
 /// The weld of a flange, across it under moment and axial force, along it under half of Vy; welds
 /// of full strength carry all that the flange can bring.
+///
+/// The welds of an inclined flange take its force along it, F_Ed/cos θ, by the simplified method,
+/// which holds for any direction of the force on the throat.
 fn flange(
     e: &EndPlate,
+    f: &PlateFlange<'_>,
     forces: &FlangeForces,
     vy: f64,
     steel: &WeldedSteel,
     subject: Subject,
 ) -> Check {
-    let (a, length) = (e.flange_throat, weld_lengths::flange(e));
+    let (a, length) = (e.flange_throat, weld_lengths::flange(e, f));
     let l = length.traced();
+    let pull = along_flange(f, Traced::force("F_Ed", forces.weld));
     // a weld without any effective length carries nothing
     let line = |force: f64| if length.value > 0.0 { force / length.value } else { f64::INFINITY };
     let along = if vy == 0.0 { 0.0 } else { line(0.5 * vy.abs()) };
-    let force = LineForce { across: line(forces.weld), along };
+    let force = LineForce { across: line(pull.value()), along };
     let demand = force.resultant();
-    let mut worked = either_method(force, a, steel);
-    let full = full_strength_throat(e.beam.tf, e.beam_steel.fy, e.factors.gamma_m0, steel);
-    if demand.is_finite() && !within(demand, worked.value) && within(full.value, a) {
+    let mut worked = match f.is_normal() {
+        true => either_method(force, a, steel),
+        false => simplified(a, steel),
+    };
+    let full = full_strength_throat(f.thickness, f.steel.fy, e.factors.gamma_m0, steel);
+    let short = demand.is_finite() && !within(demand, worked.value);
+    if short && f.is_normal() && within(full.value, a) {
         worked = worked
             .then(welded_steel::as_strong(a, &full))
-            .becomes("F_w,Rd", flange_strength(e) / l.clone());
+            .becomes("F_w,Rd", flange_strength(e, f) / l.clone());
         worked.id = CheckId::WeldFullStrength;
         worked.clause = "EN 1993-1-8:2005 6.2.3(4)";
     }
-    let across = Traced::force("F_Ed", forces.weld);
+    let across = pull;
     let together = match vy == 0.0 {
         true => across,
         false => {
@@ -169,7 +216,7 @@ fn web(
     let rest = axial / l.clone() + Traced::from(6.0) * moment / l.clone().powi(2);
     let across = rest / two.clone();
     let along = Traced::force("V", vz.abs()) / two.clone() / l.clone();
-    let (force, before) = brought_by_the_web([across, along], web_strength(e) / two);
+    let (force, before) = brought_by_the_web([across, along], most_of_web(e) / two);
     let worked = either_method(force, e.web_throat, steel);
     Some(worked.after(before.then(length)).with("l_eff", l.value(), Unit::Length).against(
         Topic::Welds,
@@ -226,25 +273,41 @@ pub(super) fn yielding_part([across, along]: [Traced; 2], most: Traced) -> Trace
     }
 }
 
-/// Strength of the web per length in tension, `t_w f_y/γ_M0` \[N/mm\].
+/// Strength of the web per length in tension, `t_w f_y/γ_M0`, of the weaker web of a haunched beam
+/// \[N/mm\].
 pub(super) fn web_strength(e: &EndPlate) -> Traced {
-    Traced::length("t_w", e.beam.tw) * Traced::stress("f_y", e.beam_steel.fy.mpa())
+    let ([t_w, _], f_y) = (at_plate::webs(e), at_plate::steel(e).fy.mpa());
+    Traced::length("t_w", t_w) * Traced::stress("f_y", f_y)
+        / Traced::number("γ_M0", e.factors.gamma_m0)
+}
+
+/// Strength of the web per length in tension that its welds must not be spared, that of the
+/// stronger web of a haunched beam \[N/mm\].
+pub(super) fn most_of_web(e: &EndPlate) -> Traced {
+    let Some(h) = at_plate::haunch(e) else { return web_strength(e) };
+    let ([_, t_w], f_y) = (at_plate::webs(e), h.steel.fy.mpa().max(e.beam_steel.fy.mpa()));
+    Traced::length("t_w", t_w) * Traced::stress("f_y", f_y)
         / Traced::number("γ_M0", e.factors.gamma_m0)
 }
 
 /// Resistance of the welds of a flange, with their length.
-pub(super) fn flange_resistance(e: &EndPlate, clause: &'static str) -> Option<Worked> {
-    let (a, most) = (e.flange_throat, flange_strength(e));
+pub(super) fn flange_resistance(
+    e: &EndPlate,
+    f: &PlateFlange<'_>,
+    clause: &'static str,
+) -> Option<Worked> {
+    let (a, most) = (e.flange_throat, flange_strength(e, f));
     let steel = welded_steel::of_the_beam(e)?;
-    let full = full_strength_throat(e.beam.tf, e.beam_steel.fy, e.factors.gamma_m0, &steel);
-    let length = weld_lengths::flange(e);
-    let each = transverse(a, &steel);
+    let full = full_strength_throat(f.thickness, f.steel.fy, e.factors.gamma_m0, &steel);
+    let length = weld_lengths::flange(e, f);
+    let each = if f.is_normal() { transverse(a, &steel) } else { simplified(a, &steel) };
     let along = each.traced() * weld_lengths::counted(&length);
     let of = |value: Traced| {
         let id = CheckId::FlangeWeldNotWeakest;
         Worked::of(clause, id, "F_Rd", value, Unit::Force)
     };
-    Some(match within(full.value, a) && most.value() > along.value() {
+    let full_strength = f.is_normal() && within(full.value, a);
+    Some(match full_strength && most.value() > along.value() {
         true => {
             let why = Derivation::from(welded_steel::as_strong(a, &full))
                 .then(CheckId::WeldFullStrength.title());

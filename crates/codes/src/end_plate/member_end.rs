@@ -6,6 +6,7 @@
 //! exceeds its resistance: no demand is capped silently. Beside an axial force that counts, the
 //! rows have the forces of the plastic equilibrium (`component_method::equilibrium`).
 
+use super::at_plate;
 use super::column_forces::{ColumnForces, known};
 use super::comparison::Method;
 use super::component_joint::component_joint;
@@ -38,8 +39,7 @@ impl<'a> MemberEnd<'a> {
     pub fn new(e: &'a EndPlate, a: &'a PlaneActions) -> Result<Self, CheckError> {
         let sense = Sense::of_moment(a.at(1.0)[1][1]);
         let mut joint = component_joint(e, beta(e, a));
-        let [[_, vy, vz], _] = a.at(1.0);
-        joint.beam.shear = vz.hypot(vy);
+        joint.beam.shear = at_plate::web_shear(e, a.at(1.0)).hypot(a.at(1.0)[0][1]);
         if let (Some(c), Some(side)) = (&mut joint.column, e.column.as_ref().filter(|c| known(c))) {
             c.longitudinal = ColumnForces::of_case(e, side, &a.case).longitudinal(side);
         }

@@ -1,5 +1,6 @@
 //! What a national annex changes beside the partial factors, and a list of what is not covered.
 
+use super::at_plate;
 use super::clamped_plates::clamped;
 use crate::check::{Binding, Check, CheckId, Status, Topic};
 use crate::ductility::{Clamped, plastic_distribution};
@@ -128,6 +129,12 @@ fn throats(e: &EndPlate) -> Vec<(Part, f64, f64)> {
         (Part::BeamWeb, e.web_throat, e.beam.tw.max(e.thickness)),
         (Part::Rib, e.rib_throat, e.rib.max(e.thickness).max(e.beam.tf)),
     ];
+    if let Some(h) = at_plate::haunch(e) {
+        welds.push((Part::HaunchFlange, e.flange_throat, h.flange.max(e.thickness)));
+        let thicker = h.web.max(e.beam.tf);
+        welds.push((Part::HaunchWeb, h.seam_throat, thicker));
+        welds.push((Part::HaunchWeb, e.web_throat, h.web.max(e.thickness)));
+    }
     if let Some(c) = &e.column {
         let (s, t) = (&c.section, c.stiffener.max(c.section.tf));
         welds.push((Part::Stiffeners, c.stiffener_throat, t.max(s.tw)));

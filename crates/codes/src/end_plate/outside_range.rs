@@ -5,6 +5,7 @@
 //! Geometry that the tables of effective lengths do not cover is an error of the component method
 //! (`component_method::rows`), which becomes an undecided check of each load case.
 
+use super::at_plate;
 use crate::check::{Check, CheckId, Topic, Unit, within};
 use crate::eurocode::bolts::is_listed;
 use crate::eurocode::holes::{CLEARANCES, Clearance};
@@ -64,6 +65,13 @@ fn parts(e: &EndPlate) -> Vec<Piece<'_>> {
         piece(Part::BeamWeb, b.tw, steel, true),
         piece(Part::Rib, e.rib, steel, true),
     ];
+    if let Some(h) = at_plate::haunch(e) {
+        out.extend([
+            piece(Part::HaunchFlange, h.flange, &h.steel, true),
+            piece(Part::HaunchWeb, h.web, &h.steel, true),
+            piece(Part::HaunchStiffener, h.stiffener, steel, true),
+        ]);
+    }
     if let Some(c) = &e.column {
         let (stiffened, doubled) = (c.stiffener > 0.0, c.doubler > 0.0);
         out.extend([

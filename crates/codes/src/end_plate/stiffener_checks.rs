@@ -3,6 +3,7 @@
 //! The mesh has whole stiffeners that are one body with the column; the checks here cover the part
 //! that is cut off at the root, and the size of the welds.
 
+use super::at_plate;
 use super::column_forces::PanelShear;
 use super::component_joint::component_joint;
 use super::doubler::doubler_fault;
@@ -144,7 +145,7 @@ fn tension(
 ) -> Option<(Check, Share)> {
     let (e, c) = (loaded.end.e, s.c);
     let rows = &loaded.end.assessment.rows;
-    let level = 0.5 * (e.beam.h - e.beam.tf);
+    let level = at_plate::beam(e).middle(loaded.end.sense.pulled()).abs();
     let below = rows.iter().position(|r| r.z < level);
     let above = rows.iter().rposition(|r| r.z > level);
     let near: Vec<usize> = above.into_iter().chain(below).collect();
@@ -278,8 +279,7 @@ fn stiffener_welds(
 /// Sides of a stiffener that have room for a fillet weld: one where the column ends nearer to the
 /// stiffener than the leg of the weld, otherwise two.
 fn seams(e: &EndPlate, c: &ColumnSide, level: Way) -> f64 {
-    let flange = 0.5 * (e.beam.h - e.beam.tf);
-    let z = if level == Way::Up { flange } else { -flange };
+    let z = at_plate::beam(e).middle(level);
     let leg = SQRT_2 * c.stiffener_throat;
     let room = c.ends().from(z, level).map(|end| end - 0.5 * c.stiffener);
     if room.is_none_or(|room| within(leg, room)) { 2.0 } else { 1.0 }

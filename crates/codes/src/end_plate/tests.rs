@@ -3,7 +3,9 @@
 mod annexes;
 mod beam_and_classes;
 mod fixture;
+mod haunched;
 mod load_cases;
+mod sbe_p11;
 mod slip_and_holes;
 mod spec_checks;
 mod weld_methods;

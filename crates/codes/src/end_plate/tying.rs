@@ -1,5 +1,6 @@
 //! Tying resistance of the end plate: information for structural integrity.
 
+use super::at_plate;
 use super::bolt_checks::bolt_tension;
 use super::bolt_rows::from_top;
 use super::component_joint::component_joint;
@@ -10,6 +11,7 @@ use crate::formula::{Number, Traced};
 use crate::subject::{Part, Sense};
 use crate::worked::Worked;
 use bracket_joint::assembly::EndPlate;
+use bracket_joint::strength::Strength;
 
 /// γ_Mu of tying resistances in SCI P358.
 pub(crate) const GAMMA_MU: f64 = 1.1;
@@ -25,7 +27,9 @@ pub(crate) const GAMMA_MU: f64 = 1.1;
 pub(super) fn tying(e: &EndPlate) -> Option<Check> {
     let mut j = component_joint(e, 0.0);
     j.plate.fy = e.plate_steel.fu.mpa();
-    j.beam.fy = e.beam_steel.fu.mpa();
+    let fu = |s: &Strength| s.fu.mpa();
+    let haunch = at_plate::haunch(e).map_or(f64::INFINITY, |h| fu(&h.steel));
+    j.beam.fy = fu(&e.beam_steel).min(haunch);
     if let (Some(c), Some(side)) = (&mut j.column, &e.column) {
         c.fy = side.steel.fu.mpa();
     }
@@ -46,8 +50,12 @@ pub(super) fn tying(e: &EndPlate) -> Option<Check> {
                 .fold(f64::INFINITY, f64::min)
         })
         .collect();
-    let beam = Traced::area("A", 1e2 * e.beam.area) * Traced::stress("f_u", e.beam_steel.fu.mpa())
+    let mut beam = Traced::area("A", 1e2 * e.beam.area)
+        * Traced::stress("f_u", e.beam_steel.fu.mpa())
         / Traced::number("γ_Mu", GAMMA_MU);
+    if let Some(r) = at_plate::rafter(e) {
+        beam = beam * Traced::number("cos α", r.slope.cos());
+    }
     let rows = Traced::series(each.iter().map(|f| Traced::force("F_tr,Rd,u", *f)));
     let value = rows.min(beam);
     if !value.value().is_finite() {

@@ -1,8 +1,10 @@
 //! Welds of the beam beside the rows in tension, and the strength they need so as not to limit the
 //! joint.
 
+use super::at_plate;
 use super::loaded_welds::{
-    YIELDS, flange_lever, flange_resistance, flange_strength, web_strength, yielding_part,
+    YIELDS, along_flange, flange_lever, flange_resistance, flange_strength, most_of_web,
+    web_strength, yielding_part,
 };
 use super::member_end::LoadedEnd;
 use super::weld_lengths;
@@ -22,20 +24,32 @@ use bracket_joint::assembly::EndPlate;
 /// Throats of double fillet welds that are as strong as flange and web of the beam.
 pub(super) fn full_strength_throats(e: &EndPlate) -> Vec<Check> {
     let Some(steel) = welded_steel::of_the_beam(e) else { return Vec::new() };
-    [(Part::BeamFlange, e.beam.tf), (Part::BeamWeb, e.beam.tw)]
-        .into_iter()
-        .map(|(part, t)| {
-            full_strength_throat(t, e.beam_steel.fy, e.factors.gamma_m0, &steel)
-                .information(Topic::Welds, part)
+    let flanges = at_plate::flanges(e);
+    // no welds of an inclined flange count as those of full strength
+    let normal = flanges.iter().filter(|f| f.is_normal());
+    let normal = normal.map(|f| (f.part, f.thickness, f.steel.fy));
+    let [_, web] = at_plate::webs(e);
+    normal
+        .chain([(Part::BeamWeb, web, e.beam_steel.fy)])
+        .map(|(part, t, fy)| {
+            full_strength_throat(t, fy, e.factors.gamma_m0, &steel).information(Topic::Welds, part)
         })
         .collect()
 }
 
 /// Least throats and lengths of the welds of the beam, which no load changes.
 pub(super) fn least_sizes(e: &EndPlate) -> Vec<Check> {
-    let (flange, web) = (weld_lengths::shortest_of_flange(e), weld_lengths::web(e).value);
-    let welds = [(Part::BeamFlange, e.flange_throat, flange), (Part::BeamWeb, e.web_throat, web)];
-    let fillets = welds.into_iter().filter(|(_, throat, _)| *throat > 0.0);
+    let web = weld_lengths::web(e).value;
+    let flanges = at_plate::flanges(e);
+    let flanges =
+        flanges.iter().map(|f| (f.part, e.flange_throat, weld_lengths::shortest_of_flange(e, f)));
+    let welds = flanges.chain([(Part::BeamWeb, e.web_throat, web)]);
+    let seam = at_plate::haunch(e).map(|h| {
+        let length = weld_lengths::run(e, h.length, h.seam_throat).value;
+        (Part::HaunchWeb, h.seam_throat, length)
+    });
+    let welds = welds.chain(seam);
+    let fillets = welds.filter(|(_, throat, _)| *throat > 0.0);
     fillets.flat_map(|(part, throat, length)| least_size(part, throat, length)).collect()
 }
 
@@ -101,7 +115,7 @@ fn beside_rows(
     let across = line("F_⊥", pull.traced() / two.clone() / b_eff.clone());
     let shear = Traced::force("V", shear) / two.clone() / length.traced();
     let along = line("F_∥", shear.clone());
-    let part = yielding_part([across.traced(), along.traced()], web_strength(e) / two.clone());
+    let part = yielding_part([across.traced(), along.traced()], most_of_web(e) / two.clone());
     let part = Formula::new("η", part, Unit::Number);
     let capped = 2.0 * (part.value * across.value) * width;
     let mut lines: Vec<Line> = Vec::new();
@@ -133,8 +147,8 @@ fn beside_rows(
 /// length.
 pub(super) fn tension_zone(loaded: &LoadedEnd<'_>) -> Option<Check> {
     let (e, assessment) = (loaded.end.e, &loaded.end.assessment);
-    let vz = loaded.end.a.at(1.0)[0][2];
-    let (stretch, mut worked) = web_welds(e, assessment, |r| loaded.row_force(r), vz.abs())?;
+    let shear = at_plate::web_shear(e, loaded.end.a.at(1.0));
+    let (stretch, mut worked) = web_welds(e, assessment, |r| loaded.row_force(r), shear)?;
     worked.id = CheckId::WebWeldBesideRows;
     let place = loaded.place(Part::BeamWeb).and(loaded.rows(stretch.first, stretch.last));
     Some(worked.utilised(Topic::Welds, place, Status::Failed))
@@ -164,7 +178,7 @@ pub(super) fn not_the_weakest(
     let bends = e.actions.iter().any(|x| mine(x.at(1.0)[1][1]));
     let otherwise = if bends { Status::Failed } else { Status::Warning };
     let mut out = Vec::new();
-    out.extend(of_the_flange(e, subject, a, otherwise));
+    out.extend(of_the_flange(e, (subject, sense), a, otherwise));
     if e.web_throat == 0.0 {
         let words = "full penetration: as strong as the web (4.7.1), it limits no row";
         let (id, unit) = (CheckId::WebWeldNotWeakest, Unit::ForcePerLength);
@@ -188,19 +202,27 @@ pub(super) fn not_the_weakest(
 }
 
 /// The part of [`not_the_weakest`] for the welds of the flange in tension.
-fn of_the_flange(e: &EndPlate, subject: &Subject, a: &Assessment, otherwise: Status) -> Vec<Check> {
-    let place = Subject::from(Part::BeamFlange).and(subject.clone());
+fn of_the_flange(
+    e: &EndPlate,
+    (subject, sense): (&Subject, Sense),
+    a: &Assessment,
+    otherwise: Status,
+) -> Vec<Check> {
+    let flange = at_plate::flange(e, sense.pulled());
+    let place = Subject::from(flange.part).and(subject.clone());
     let joint = a.moment.value;
     let id = CheckId::FlangeWeldNotWeakest;
     if e.flange_throat == 0.0 {
         let words = "full penetration: as strong as the flange (4.7.1), it limits no joint";
         let worked =
-            Worked::of(NOT_THE_WEAKEST, id, "F_Rd", flange_strength(e), Unit::Force).after(words);
+            Worked::of(NOT_THE_WEAKEST, id, "F_Rd", flange_strength(e, &flange), Unit::Force)
+                .after(words);
         return vec![worked.information(Topic::Welds, place)];
     }
-    let Some(welds) = flange_resistance(e, NOT_THE_WEAKEST) else { return Vec::new() };
+    let Some(welds) = flange_resistance(e, &flange, NOT_THE_WEAKEST) else { return Vec::new() };
     let check = |clause, id, (moment, words): (Traced, Option<&'static str>), otherwise| {
-        let pull = (moment / flange_lever(e)).min(flange_strength(e));
+        let pull = along_flange(&flange, moment / flange_lever(e));
+        let pull = pull.min(flange_strength(e, &flange));
         let demand = pull.value();
         let before = words.into_iter().fold(Derivation::default(), Derivation::then);
         let before = before.then(Formula::new("F_Ed", pull, Unit::Force));
@@ -212,7 +234,9 @@ fn of_the_flange(e: &EndPlate, subject: &Subject, a: &Assessment, otherwise: Sta
     let plastic = plastic(1e3 * e.beam.w_pl_y, e.beam_steel.fy.mpa(), e.factors.gamma_m0);
     // no hinge rotates in the joint where the beam yields first, or in a sense that no load case
     // has
-    if within(HINGE_IN_BEAM * plastic, joint)
+    // (the beam of a haunch yields at its tip, under another moment)
+    let haunched = at_plate::haunch(e).is_some();
+    if (!haunched && within(HINGE_IN_BEAM * plastic, joint))
         || (otherwise != Status::Failed && !e.actions.is_empty())
     {
         return out;
@@ -220,7 +244,8 @@ fn of_the_flange(e: &EndPlate, subject: &Subject, a: &Assessment, otherwise: Sta
     for (alpha, frame) in OVERSTRENGTH {
         let id = CheckId::FlangeWeldOfHinge;
         let of_beam = Traced::symbol("M_pl,Rd", plastic, Unit::Moment);
-        let moment = (Traced::from(alpha) * of_joint.clone()).min(of_beam);
+        let moment = Traced::from(alpha) * of_joint.clone();
+        let moment = if haunched { moment } else { moment.min(of_beam) };
         let of = (moment, Some(frame.words()));
         out.push(check("EN 1993-1-8:2005 6.2.3(5)", id, of, Status::Warning));
     }

@@ -1,10 +1,11 @@
 //! Effective lengths of fillet welds: one rule for all welds, by `welds.ends` of the spec.
 
+use super::at_plate::{self, PlateFlange};
 use crate::check::{Check, CheckId, Topic, Unit};
 use crate::eurocode::welds::effective_run;
 use crate::formula::{Formula, Number, Traced};
 use crate::subject::Part;
-use bracket_joint::assembly::EndPlate;
+use bracket_joint::assembly::{EndPlate, Way};
 use bracket_joint::spec::welds::WeldEnds;
 
 /// l_eff \[mm\]; negative where a run is shorter than its ends.
@@ -23,10 +24,9 @@ pub(super) fn run(e: &EndPlate, length: f64, throat: f64) -> Formula {
 /// EN 1993-1-8:2005 4.5.1(1). A weld that is full-size round the tips has its ends at the root
 /// fillets alone; each loses a leg √2 a, more than the throat that the code asks. Open runs that
 /// are too short, 4.5.1(2), do not count.
-pub(super) fn flange(e: &EndPlate) -> Formula {
-    let [b, t_w, r, a] =
-        [("b", e.beam.b), ("t_w", e.beam.tw), ("r", e.beam.r), ("a", e.flange_throat)]
-            .map(|(symbol, value)| Traced::length(symbol, value));
+pub(super) fn flange(e: &EndPlate, f: &PlateFlange<'_>) -> Formula {
+    let [b, t_w, r, a] = [("b", f.width), ("t_w", f.web), ("r", f.root), ("a", e.flange_throat)]
+        .map(|(symbol, value)| Traced::length(symbol, value));
     let n = Traced::from;
     let all = n(2.0) * b - t_w - n(2.0) * r;
     effective(match e.welds.ends {
@@ -38,22 +38,34 @@ pub(super) fn flange(e: &EndPlate) -> Formula {
 
 /// Length of the shortest of the welds of a flange that stand alone, for 4.5.1(2) \[mm\]: outside
 /// along its width, or one of the inside runs where they stop at the tips.
-pub(super) fn shortest_of_flange(e: &EndPlate) -> f64 {
-    let (b, a) = (&e.beam, e.flange_throat);
+pub(super) fn shortest_of_flange(e: &EndPlate, f: &PlateFlange<'_>) -> f64 {
+    let a = e.flange_throat;
     match e.welds.ends {
-        WeldEnds::Open => run(e, 0.5 * (b.b - b.tw) - b.r, a).value,
-        WeldEnds::Returned | WeldEnds::AllRound => run(e, b.b, a).value,
+        WeldEnds::Open => run(e, 0.5 * (f.width - f.web) - f.root, a).value,
+        WeldEnds::Returned | WeldEnds::AllRound => run(e, f.width, a).value,
     }
 }
 
-/// Clear depth of the beam web between the root fillets \[mm\].
+/// Clear depth of the beam web between the root fillets along the plate, that of the haunch web
+/// included \[mm\].
 pub(super) fn web_depth(e: &EndPlate) -> f64 {
-    e.beam.h - 2.0 * (e.beam.tf + e.beam.r)
+    let (b, r) = (&e.beam, e.beam.r);
+    if at_plate::rafter(e).is_none() {
+        return b.h - 2.0 * (b.tf + r);
+    }
+    let end = at_plate::beam(e);
+    let clear = e.depth() - end.along(Way::Up) - end.along(Way::Down) - 2.0 * r;
+    at_plate::inner_flange(e).map_or(clear, |[lower, upper]| clear - (upper - lower))
 }
 
-/// Each of the two welds of the beam web, between the root fillets.
+/// Each of the two welds of the beam web, between the root fillets. The flange above a haunch parts
+/// it into two runs: one more pair of ends.
 pub(super) fn web(e: &EndPlate) -> Formula {
-    run(e, web_depth(e), e.web_throat)
+    let parted = match (at_plate::haunch(e), e.welds.ends) {
+        (None, _) | (_, WeldEnds::AllRound) => 0.0,
+        (Some(_), WeldEnds::Returned | WeldEnds::Open) => 2.0 * e.web_throat,
+    };
+    run(e, web_depth(e) - parted, e.web_throat)
 }
 
 /// l_eff as a factor of a resistance, no less than 0.
@@ -65,7 +77,8 @@ pub(super) fn counted(length: &Formula) -> Traced {
 /// The rule that the checks follow; `None` for a joint without fillet welds.
 pub(super) fn rule(e: &EndPlate) -> Option<Check> {
     let column = e.column.as_ref().map_or(0.0, |c| c.stiffener_throat.max(c.doubler_throat));
-    let throats = [e.flange_throat, e.web_throat, e.rib_throat, column];
+    let seam = at_plate::haunch(e).map_or(0.0, |h| h.seam_throat);
+    let throats = [e.flange_throat, e.web_throat, e.rib_throat, column, seam];
     if throats.iter().all(|a| *a == 0.0) {
         return None;
     }

@@ -1,15 +1,22 @@
 //! Steel for which the fillet welds of a part are designed, and throats of full strength.
 
+use super::at_plate;
 use crate::check::Unit;
 use crate::eurocode::welds::WeldedSteel;
 use crate::formula::{Line, Relation, Traced};
 use crate::worked::Worked;
-use bracket_joint::assembly::{ColumnSide, EndPlate};
+use bracket_joint::assembly::{ColumnSide, EndPlate, Haunch};
 
 /// Steel of the welds between beam and end plate: the weaker of the parts joined. `None` for grades
 /// without β_w, for which the code has no fillet welds.
 pub(super) fn of_the_beam(e: &EndPlate) -> Option<WeldedSteel> {
-    WeldedSteel::of(e.beam_steel.weaker(&e.plate_steel), e.factors.gamma_m2)
+    let beam = at_plate::haunch(e).map_or(&e.beam_steel, |h| e.beam_steel.weaker(&h.steel));
+    WeldedSteel::of(beam.weaker(&e.plate_steel), e.factors.gamma_m2)
+}
+
+/// Steel of the welds between the web of a haunch and the flange of the beam.
+pub(super) fn of_the_haunch(e: &EndPlate, h: &Haunch) -> Option<WeldedSteel> {
+    WeldedSteel::of(e.beam_steel.weaker(&h.steel), e.factors.gamma_m2)
 }
 
 /// Steel of the welds on the column.

@@ -1,5 +1,6 @@
 //! The welds of a joint: seams with their throats and lengths.
 
+use super::at_plate;
 use super::parts_list::DENSITY;
 use bracket_base::say;
 use bracket_base::words::Text;
@@ -59,9 +60,12 @@ fn of_end_plate(e: &EndPlate, plates: usize) -> Vec<WeldItem> {
     };
     let b = &e.beam;
     let inside = 0.5 * (b.b - b.tw) - b.r;
-    both("beam web to end plate", e.web_throat, plates, Some(b.h - 2.0 * (b.tf + b.r)));
+    // along the plate; seams of a haunch are those of further parts
+    let slope = at_plate::rafter(e).map_or(0.0, |r| r.slope);
+    let web = (b.h - 2.0 * (b.tf + b.r)) / slope.cos();
+    both("beam web to end plate", e.web_throat, plates, Some(web));
     if e.rib > 0.0 {
-        let length = e.top - 0.5 * b.h;
+        let length = e.top - 0.5 * e.depth();
         both("rib to end plate", e.rib_throat, plates, Some(length));
         both("rib to beam flange", e.rib_throat, plates, None);
     }

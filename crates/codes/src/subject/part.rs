@@ -20,6 +20,18 @@ pub enum Part {
     BeamFlange,
     /// The web of the beam.
     BeamWeb,
+    /// The beam with its haunch at the end plate.
+    HaunchedBeam,
+    /// The beam at the tip of its haunch.
+    HaunchTip,
+    /// The haunch of the beam.
+    Haunch,
+    /// The flange of the haunch.
+    HaunchFlange,
+    /// The web of the haunch.
+    HaunchWeb,
+    /// The stiffeners of the beam at the tip of the haunch.
+    HaunchStiffener,
     /// Beam and end plate, which one weld joins.
     BeamAndEndPlate,
     /// The column as a member.
@@ -93,6 +105,12 @@ impl Part {
             Part::Beam => "beam",
             Part::BeamFlange => "beam flange",
             Part::BeamWeb => "beam web",
+            Part::HaunchedBeam => "beam with its haunch at the plate",
+            Part::HaunchTip => "beam at the tip of the haunch",
+            Part::Haunch => "haunch",
+            Part::HaunchFlange => "haunch flange",
+            Part::HaunchWeb => "haunch web",
+            Part::HaunchStiffener => "stiffeners at the tip of the haunch",
             Part::BeamAndEndPlate => "beam and end plate",
             Part::Column => "column",
             Part::ColumnFlange => "column flange",

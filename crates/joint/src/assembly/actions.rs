@@ -98,6 +98,15 @@ pub struct PlaneActions {
     pub outward: f64,
     /// Distance from the node to the bolt plane along x′ \[mm\]; 0 where the template has no node.
     pub from_node: f64,
+    /// Height of the bolt plane's point above the node along z′ \[mm\]; not 0 where the depth at
+    /// the plate reaches below the axis of the beam by a haunch.
+    #[serde(skip_serializing_if = "is_level")]
+    pub above_node: f64,
+}
+
+/// Whether a height above the node is none.
+fn is_level(height: &f64) -> bool {
+    *height == 0.0
 }
 
 impl PlaneActions {
@@ -106,10 +115,11 @@ impl PlaneActions {
         [0, 1].map(|i| vec3::along(self.dead[i], factor, self.live[i]))
     }
 
-    /// My at the node under load factor 1 \[N mm\]: `My − d Vz`.
+    /// My at the node under load factor 1 \[N mm\]: `My − d Vz + h N`, h the height of the plane
+    /// above the node.
     pub fn moment_at_node(&self) -> f64 {
         let [force, moment] = self.at(1.0);
-        moment[1] - self.from_node * force[2]
+        moment[1] - self.from_node * force[2] + self.above_node * force[0]
     }
 }
 
@@ -138,9 +148,10 @@ pub(super) fn on_planes(
         let slope = end.slope()?;
         let node = end.entry.points.get(&ActionPoint::Node);
         let from_node = match node {
-            Some(p) => vec3::dot(vec3::sub(plane, within(at, end.scope.point(p))?), axes[0]),
-            None => 0.0,
+            Some(p) => vec3::sub(plane, within(at, end.scope.point(p))?),
+            None => [0.0; 3],
         };
+        let [from_node, above_node] = [axes[0], axes[2]].map(|axis| vec3::dot(from_node, axis));
         for load in loads.iter().filter(|l| !l.of_polygon && l.end.as_deref() == Some(&end.name)) {
             // check() has rejected a load without a point, and on_end() a point that the end does
             // not have
@@ -153,7 +164,8 @@ pub(super) fn on_planes(
                 continue;
             }
             let (case, end) = (load.name.clone(), end.name.clone());
-            out.push(PlaneActions { case, end, live, dead, state: load.state, outward, from_node });
+            let state = load.state;
+            out.push(PlaneActions { case, end, live, dead, state, outward, from_node, above_node });
         }
     }
     out.sort_by_key(|a| loads.iter().position(|l| l.name == a.case));

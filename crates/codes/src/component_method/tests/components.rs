@@ -10,6 +10,7 @@ use crate::component_method::{assess, beam as beam_method, effective_lengths as 
 use crate::eurocode::i_section::Section;
 use crate::eurocode::section::Class;
 use crate::eurocode::yielding::plastic_shear;
+use bracket_joint::assembly::Way;
 use std::f64::consts::PI;
 
 const STUB: TStub = TStub {
@@ -241,7 +242,7 @@ fn clause_6_2_6_2_column_web_in_compression() {
     (joint.beam.section.tf, joint.beam.flange_throat, joint.plate.thickness) = (10.0, 5.0, 20.0);
     let mut width = |overhang: f64| {
         joint.plate.bottom = -0.5 * joint.beam.section.h - overhang;
-        compressed_width(&joint, &column)
+        compressed_width(&joint, &column, Way::Down)
     };
     near(width(100.0), 10.0 + 200f64.sqrt() + 135.0 + 40.0);
     // a plate that ends with the weld spreads on one side alone

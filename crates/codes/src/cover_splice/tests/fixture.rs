@@ -67,6 +67,7 @@ pub(super) fn actions(case: &str, [n, vz, my]: [f64; 3], state: LimitState) -> P
         state,
         outward: 1.0,
         from_node: 0.0,
+        above_node: 0.0,
     }
 }
 

@@ -120,6 +120,7 @@ pub fn actions(force: [f64; 3], moment: [f64; 3]) -> PlaneActions {
         state: LimitState::Ultimate,
         outward: 1.0,
         from_node: 0.0,
+        above_node: 0.0,
     }
 }
 

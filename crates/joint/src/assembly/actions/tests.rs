@@ -1,8 +1,10 @@
 //! Tests of forces and moments at member ends: statics, symmetry, and rejected loads.
 
+use super::PlaneActions;
 use crate::assembly::Joint;
 use crate::assembly::assembly::{Action, FaceLoad};
 use crate::assembly::tests::{joint, ok};
+use crate::spec::loads::LimitState;
 use bracket_base::math::vec3;
 
 /// A joint of an IPE300 on an HEB200 with 15 mm plates: the column face is at x = 100 mm, the beam
@@ -201,4 +203,21 @@ fn actions_are_judged_at_the_bolt_plane() {
     // rounding of the only action of a case is nothing
     let j = of("at: bolt_plane, My: 1 N mm");
     assert!(names(&j) == ["My"] && j.idle.len() == 1 && j.assembly.loads.is_empty(), "{j:#?}");
+}
+
+/// A node above the middle of the depth at the plate has N on the height between them as well.
+#[test]
+fn the_moment_at_the_node_has_the_height_of_the_plane() {
+    let actions = PlaneActions {
+        case: "A".into(),
+        end: "rafter".into(),
+        live: [[-40e3, 0.0, -80e3], [0.0, 60e6, 0.0]],
+        dead: [[0.0; 3]; 2],
+        state: LimitState::Ultimate,
+        outward: 1.0,
+        from_node: 150.0,
+        above_node: -200.0,
+    };
+    // the compression presses 200 mm below the node, with tension at the top
+    assert!((actions.moment_at_node() - (60e6 + 12e6 + 8e6)).abs() < 1e-3);
 }
