@@ -11,8 +11,8 @@ use bracket_codes::check::number;
 use bracket_codes::design_code::design_strengths;
 use bracket_codes::end_plate::{parts_list, welds_list};
 use bracket_codes::{HandChecks, joint_checks};
-use bracket_joint::assembly::Assembly;
 use bracket_joint::assembly::assembly::{FaceSupport, Part, Surface};
+use bracket_joint::assembly::{Assembly, Facts};
 use bracket_joint::spec::connection::ConnectionSpec;
 use bracket_joint::spec::loads::ActionPoint;
 use bracket_joint::strength::{Design, DesignStrengths};
@@ -20,7 +20,7 @@ use bracket_report::document::picture::PictureRef;
 use bracket_report::document::table::Table;
 use bracket_report::draw::contact_map::AXES;
 use bracket_report::draw::joint_drawings::JointDrawings;
-use bracket_report::markdown::demand::on_planes;
+use bracket_report::markdown::demand::{about_planes, on_planes};
 use bracket_report::markdown::report_data::CatalogueRow;
 use bracket_report::markdown::report_data::InputFacts;
 use bracket_report::markdown::report_data::ResolvedValue;
@@ -69,6 +69,7 @@ pub fn spec_context(path: &Path, input: &SpecFile) -> Result<RunContext, Diagnos
             read: yaml::to_string(&as_read(input))?,
             resolved: resolved_values(input),
             demands: demands(&input.spec.value.loads),
+            plane_note: about_planes(input.joint.facts.as_ref().map_or(&[], Facts::actions)),
             plane_actions: plane_actions(input),
             catalogue_rows: catalogue_rows(input),
             drawings,

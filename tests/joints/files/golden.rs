@@ -194,6 +194,7 @@ fn data() -> ReportData {
         }],
         demands: vec![],
         plane_actions: Table::default(),
+        plane_note: Text::default(),
         catalogue_rows: vec![CatalogueRow {
             own: false,
             kind: "profile".into(),

@@ -13,7 +13,7 @@ use bracket::yaml;
 use std::path::Path;
 
 /// Joints whose numbers are tried: all in an optimised build, which the tests of a release have.
-const TRIED: usize = if cfg!(debug_assertions) { 250 } else { 5000 };
+const TRIED: usize = if cfg!(debug_assertions) { 250 } else { 2000 };
 
 /// A joint without its loads.
 struct Drawn {

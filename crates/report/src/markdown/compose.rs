@@ -32,7 +32,7 @@ pub fn report_markdown(data: &ReportData, words: &Words) -> String {
     summary::table_of_checks(doc, &data.result);
     demand::demands(doc, &data.result, &data.input.demands);
     if !data.input.plane_actions.rows.is_empty() {
-        doc.paragraph(say!("{}:", demand::ON_PLANES));
+        doc.paragraph(say!("{}:", &data.input.plane_note));
         doc.table(&data.input.plane_actions);
     }
     for case in &data.result.cases {

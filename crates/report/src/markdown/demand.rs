@@ -69,17 +69,33 @@ pub fn on_planes(actions: &[PlaneActions]) -> Table {
     let row = |a: &PlaneActions| {
         let unit = |k: usize| if k < 3 { Unit::Force } else { Unit::Moment };
         let values = shown.iter().map(|k| unit(*k).show(of(a)[*k]).replace('-', "−"));
-        let place = [a.case.clone(), a.end.clone(), format!("{} mm", number(a.from_node))];
-        place.into_iter().chain(values).map(Text::from).collect()
+        let distance = |d: f64| format!("{} mm", number(d).replace('-', "−"));
+        let place = [a.case.clone(), a.end.clone(), distance(a.from_node)];
+        let above = raised(actions).then(|| distance(a.above_node));
+        place.into_iter().chain(above).chain(values).map(Text::from).collect()
     };
     let mut columns = Table::columns(["load case", "member end", "d, from the node"]);
+    if raised(actions) {
+        columns.push("h, above the node".into());
+    }
     columns.extend(shown.iter().map(|k| Text::from(names[*k])));
     Table { columns, rows: actions.iter().map(row).collect() }
 }
 
+/// Whether the plane of a joint lies above or below its node.
+fn raised(actions: &[PlaneActions]) -> bool {
+    actions.iter().any(|a| a.above_node != 0.0)
+}
+
 /// What the table of [`on_planes`] is.
-pub(crate) const ON_PLANES: &str =
-    "Actions at the bolt plane, with which the checks are made: My = My,node + d Vz";
+pub fn about_planes(actions: &[PlaneActions]) -> Text {
+    if raised(actions) {
+        return "Actions at the middle of the depth in the bolt plane, N normal to it and Vz along \
+                it, with which the checks are made: My = My,node + d Vz − h N"
+            .into();
+    }
+    "Actions at the bolt plane, with which the checks are made: My = My,node + d Vz".into()
+}
 
 fn action_row(case: &str, a: &EndAction, (lower, upper): (Option<f64>, Option<f64>)) -> Vec<Text> {
     let (value, unit) = a.value.shown();

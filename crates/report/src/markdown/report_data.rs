@@ -38,6 +38,9 @@ pub struct InputFacts {
     /// The actions at the bolt planes; empty where they are given there.
     #[serde(default)]
     pub plane_actions: Table,
+    /// What the table of the actions at the bolt planes is.
+    #[serde(default)]
+    pub plane_note: Text,
     /// Rows taken from catalogues.
     pub catalogue_rows: Vec<CatalogueRow>,
     /// Drawings of the joint and of its actions.

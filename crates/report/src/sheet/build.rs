@@ -15,7 +15,7 @@ use crate::figures::{Rounding, significant};
 use crate::markdown::answer::answer;
 use crate::markdown::assumptions::assumptions;
 use crate::markdown::collapse::mechanism;
-use crate::markdown::demand::{ON_PLANES, actions};
+use crate::markdown::demand::actions;
 use crate::markdown::hand_checks::{TOPICS, place, status, value_of};
 use crate::markdown::report_data::{ReportData, ResolvedValue};
 use crate::markdown::verdict::{next_step, parts};
@@ -81,7 +81,7 @@ pub fn sheet(data: &ReportData, words: &Words, extent: Extent, paper: Paper) -> 
         load_cases: grid(words, &lines),
         load_cases_note: said(words, &lines_note),
         plane_actions: grid(words, &data.input.plane_actions),
-        plane_note: said(words, &ON_PLANES.into()),
+        plane_note: said(words, &data.input.plane_note),
         summary: rows.into_iter().map(|r| summary_line(r, words)).collect(),
         summary_note: said(words, &note),
         answers: data.result.cases.iter().map(|c| case_answer(c, data, words)).collect(),
