@@ -1,7 +1,11 @@
 """Random specs of every template."""
 
-from bolted_scenes import SCENES
+import bolted_scenes
+import eaves_scenes
 from spec_scenes import ALL_SIX, common, end_loads, splice, tees, to_column, to_web
+
+# by template
+SCENES = bolted_scenes.SCENES | eaves_scenes.SCENES
 
 
 def draw(r, catalogue):

@@ -9,6 +9,7 @@ mod bolted_families;
 mod built;
 mod component_method;
 mod files;
+mod haunched_eaves;
 mod invariance;
 mod load_steps;
 #[path = "../common/numbers.rs"]

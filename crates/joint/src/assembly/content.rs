@@ -50,7 +50,8 @@ pub struct Piece {
     /// no box \[mm\].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub outline: Option<(usize, Vec<[f64; 2]>)>,
-    /// What it is in space, where it is turned or has an outline.
+    /// What it is in space, where it is turned or has an outline; an outline may be a polygon that
+    /// is not convex.
     #[serde(skip)]
     pub drawn: Vec<Block>,
     /// Axis of its height, 0 = x, where the hand checks know it.

@@ -60,9 +60,14 @@ pub(super) struct Outline {
 }
 
 impl Outline {
+    /// The outline as a block, convex or not.
+    fn block(&self) -> Block {
+        Block { axis: self.axis, span: self.span, polygon: self.outline.clone() }
+    }
+
     /// The box round it.
     pub fn bounds(&self) -> Extent {
-        Block { axis: self.axis, span: self.span, polygon: self.outline.clone() }.bounds()
+        self.block().bounds()
     }
 }
 
@@ -202,6 +207,11 @@ impl Context<'_> {
         for shape in shapes {
             let drawn = match (&shape.turn, &shape.body) {
                 (None, Body::Profile(..) | Body::Cuboid(_)) => Vec::new(),
+                // an outline stays one, for drawings
+                (turn, Body::Prism(p)) if shape.cuts.is_empty() => {
+                    let whole = p.block();
+                    vec![turn.map_or_else(|| whole.clone(), |t| whole.turned(&t))]
+                }
                 _ => shape.plates().into_iter().flatten().collect(),
             };
             let Shape { entry: solid, scope, body, turn, cuts } = shape;
