@@ -53,8 +53,8 @@ fn the_checks_know_all_of_a_haunched_rafter() {
     assert_eq!(joint.content.pieces.iter().filter(|p| p.kind == PieceKind::Haunch).count(), 0);
 }
 
-/// N and V of a rafter that rises by 6° become N cos α − V sin α normal to the plate and V cos α + N
-/// sin α along it. The moment at the face of the column is that on the rafter's axis; the middle of
+/// N and V of a rafter that rises by 6° become N cos α − V sin α normal to the plate, and along it
+/// N sin α + V cos α. The moment at the face of the column is that on the rafter's axis; the middle of
 /// the depth is 400 + 201.1 − 401.1 − 25 tan 6° = 197.4 mm lower, where N normal to the plate gives
 /// 197.4 N less.
 #[test]
@@ -78,20 +78,20 @@ fn the_actions_of_a_rafter_are_turned_to_its_plate() {
 /// with the same numbers.
 #[test]
 fn a_level_rafter_without_a_haunch_is_a_beam() {
-    let rest = "plate: {thickness: 20, z: [-220, 290]}\nbolts: {size: M24, grade: \"8.8\", rows: [-140, \
-                50, 140, 250]}\n";
+    let rest = "plate: {thickness: 20, z: [-220, 290]}\nbolts: {size: M24, grade: \"8.8\", rows: \
+                [-140, 50, 140, 250]}\n";
+    let column = "column: {profile: HEB300, steel: S275}";
+    let steel = "{profile: IPE400, steel: S275}";
+    let both = "column_above: 310, column_below: 600, column_stiffener_thickness: 15";
+    let load = "at: column_face, My: 200 kN m, Vz: -90 kN, N: -40 kN";
     let level = checks(&format!(
-        "template: haunched_eaves\nmembers: {{column: {{profile: HEB300, steel: S275}}, rafter: {{profile: \
-         IPE400, steel: S275}}}}\n{rest}parameters: {{slope: 0 deg, haunch: false, column_above: 310, \
-         column_below: 600, column_stiffener_thickness: 15}}\nloads: [{{name: A, end: rafter, at: \
-         column_face, My: 200 kN m, Vz: -90 kN, N: -40 kN}}]\n"
+        "template: haunched_eaves\nmembers: {{{column}, rafter: {steel}}}\n{rest}parameters: \
+         {{slope: 0 deg, haunch: false, {both}}}\nloads: [{{name: A, end: rafter, {load}}}]\n"
     ));
     let beam = checks(&format!(
-        "template: beam_to_column_end_plate\nmembers: {{column: {{profile: HEB300, steel: S275}}, beam: \
-         {{profile: IPE400, steel: S275}}}}\n{rest}parameters: {{column_stiffeners: true, \
-         column_stiffener_thickness: 15, column_above: 310, column_below: 600, column_ends_above: \
-         true}}\nloads: [{{name: A, end: beam_right, at: column_face, My: 200 kN m, Vz: -90 kN, N: -40 \
-         kN}}]\n"
+        "template: beam_to_column_end_plate\nmembers: {{{column}, beam: \
+         {steel}}}\n{rest}parameters: {{column_stiffeners: true, column_ends_above: true, \
+         {both}}}\nloads: [{{name: A, end: beam_right, {load}}}]\n"
     ));
     let (mut same, mut of_column) = (0, 0);
     for b in &beam {
@@ -115,7 +115,8 @@ fn a_level_rafter_without_a_haunch_is_a_beam() {
     assert!(same > 40, "{same} and {of_column} of the column");
 }
 
-/// More haunch, more resistance; the compression moves to its flange: Σ F_tr · z grows with the depth.
+/// More haunch, more resistance; the compression moves to its flange: Σ F_tr · z grows with the
+/// depth.
 #[test]
 fn the_moment_resistance_follows_the_depth_of_the_haunch() {
     let moment = |haunch: &str, z: [f64; 2], rows: [f64; 4]| {

@@ -13,12 +13,17 @@ use std::path::Path;
 /// A joint of a template of one's own without a profile: a strut along x between x = 0 and 200 mm.
 fn strut(solids: &str, rest: &str, load: &str) -> Result<Joint, String> {
     let folder = tempfile::tempdir().unwrap();
-    let template = format!(
-        "name: strut\ntitle: Strut\nmembers: []\nparameters: [{{name: slope, kind: angle, default: \
-         0 deg, about: slope}}]\ndefine:\n  - {{name: rise, value: 200 mm * tan(slope)}}\nparts:\n{solids}\n\
-         supports:\n  - {{name: FOOT, part: A, fix: [x, y, z], face: {{axis: x, at: 0 mm, y: \
-         [-50 mm, 50 mm], z: [-50 mm, 50 mm]}}}}\n{rest}"
-    );
+    let template = [
+        "name: strut\ntitle: Strut\nmembers: []\n",
+        "parameters: [{name: slope, kind: angle, default: 0 deg, about: slope}]\n",
+        "define:\n  - {name: rise, value: 200 mm * tan(slope)}\n",
+        "parts:\n",
+        solids,
+        "\nsupports:\n  - {name: FOOT, part: A, fix: [x, y, z], face: {axis: x, at: 0 mm, ",
+        "y: [-50 mm, 50 mm], z: [-50 mm, 50 mm]}}\n",
+        rest,
+    ]
+    .concat();
     std::fs::write(folder.path().join("strut.yaml"), template).unwrap();
     let spec = format!("template: strut.yaml\nplate: {{steel: S235}}\nfriction: {{mu: 0}}\n{load}");
     let parsed = yaml::parse::<ConnectionSpec>(&spec, Path::new("joint.yaml")).unwrap();
@@ -38,12 +43,16 @@ const PART: &str = "    role: plate\n    steel: [plate]\n    thickness: 10 mm\n 
 
 /// A bar of 40 x 20 mm between two upright planes, turned by the slope.
 fn bar(name: &str, from: &str, to: &str) -> String {
-    format!(
-        "  - name: {name}\n    label: bar\n{PART}    solids:\n      - box: {{x: [-100 mm, 400 mm], y: [-20 mm, \
-         20 mm], z: [-10 mm, 10 mm]}}\n        turn: {{about: y, by: -slope}}\n        cut:\n          \
-         - box: {{x: [-1 m, {from}], y: [-1 m, 1 m], z: [-1 m, 1 m]}}\n          - box: {{x: [{to}, \
-         1 m], y: [-1 m, 1 m], z: [-1 m, 1 m]}}\n"
-    )
+    let cut =
+        |x: String| format!("          - box: {{x: [{x}], y: [-1 m, 1 m], z: [-1 m, 1 m]}}\n");
+    [
+        format!("  - name: {name}\n    label: bar\n{PART}    solids:\n"),
+        "      - box: {x: [-100 mm, 400 mm], y: [-20 mm, 20 mm], z: [-10 mm, 10 mm]}\n".into(),
+        "        turn: {about: y, by: -slope}\n        cut:\n".into(),
+        cut(format!("-1 m, {from}")),
+        cut(format!("{to}, 1 m")),
+    ]
+    .concat()
 }
 
 fn volume(mesh: &TetMesh) -> f64 {
@@ -83,8 +92,9 @@ fn a_sloping_bar_carries_its_area_times_the_yield_strength_along_its_axis() {
 /// have S = 2 · 3 · 207.8/20 = 62.4 MPa, so N = S A/cos φ.
 #[test]
 fn a_weld_across_a_sloping_bar_carries_its_strength_over_the_cosine() {
-    let weld = "welds:\n  - {name: WELD, between: [A, B], throat: 3 mm, thickness: 20 mm, imprint: false, \
-                face: {axis: x, at: 100 mm, y: [-20 mm, 20 mm], z: [-50 mm, 150 mm]}}\n";
+    let weld = "welds:\n  - {name: WELD, between: [A, B], throat: 3 mm, thickness: 20 mm, \
+                imprint: false, face: {axis: x, at: 100 mm, y: [-20 mm, 20 mm], z: [-50 mm, 150 \
+                mm]}}\n";
     let joint = strut(
         &(bar("A", "0 mm", "100 mm") + &bar("B", "100 mm", "200 mm")),
         &(weld.to_owned() + &end_of("B")),
@@ -104,10 +114,9 @@ fn a_weld_across_a_sloping_bar_carries_its_strength_over_the_cosine() {
 #[test]
 fn a_prism_carries_what_its_outline_leaves() {
     let prism = |outline: &str| {
-        format!(
-            "  - name: A\n    label: plate\n{PART}    solids:\n      - prism: {{axis: y, from: -5 mm, to: 5 mm, \
-             outline: [{outline}]}}\n"
-        )
+        let head = format!("  - name: A\n    label: plate\n{PART}    solids:\n");
+        let solid = "      - prism: {axis: y, from: -5 mm, to: 5 mm, outline: [";
+        [&head, solid, outline, "]}\n"].concat()
     };
     let load = "loads: [{name: PULL, end: far, at: bolt_plane, N: 1 kN}]\n";
     let of = |outline: &str| {
@@ -141,37 +150,22 @@ fn wrong_turns_and_outlines_are_refused() {
     };
     let prism =
         |rest: &str| format!("{{prism: {{axis: y, from: 0 mm, to: 10 mm, outline: {rest}}}}}");
+    let flat = |from: &str, to: &str, rest: &str| {
+        let outline = "outline: [[0 mm, 0 mm], [9 mm, 0 mm], [0 mm, 9 mm]]";
+        format!("{{prism: {{axis: y, from: {from}, to: {to}, {outline}}}{rest}}}")
+    };
+    let cube = |rest: &str| {
+        format!("{{box: {{x: [0 mm, 9 mm], y: [0 mm, 9 mm], z: [0 mm, 9 mm]}}{rest}}}")
+    };
     for (solid, words) in [
         (prism("[[0 mm, 0 mm], [200 mm, 0 mm]]"), "three corners or more"),
         (prism("[[0 mm, 0 mm], [0 mm, 0 mm], [200 mm, 0 mm], [0 mm, 9 mm]]"), "no two at one"),
-        (
-            prism("[[0 mm, 0 mm], [200 mm, 0 mm], [0 mm, 30 mm], [200 mm, 30 mm]]"),
-            "cross or touch",
-        ),
+        (prism("[[0 mm, 0 mm], [200 mm, 0 mm], [0 mm, 30 mm], [200 mm, 30 mm]]"), "cross or touch"),
         (prism("[[0 mm, 0 deg], [200 mm, 0 mm], [0 mm, 30 mm]]"), "angle"),
-        (
-            "{prism: {axis: y, from: 3 mm, to: 3 mm, outline: [[0 mm, 0 mm], [9 mm, 0 mm], [0 mm, 9 \
-             mm]]}}"
-                .into(),
-            "no thickness",
-        ),
-        (
-            "{prism: {axis: y, from: 0 mm, to: 3 mm, outline: [[0 mm, 0 mm], [9 mm, 0 mm], [0 mm, 9 \
-             mm]]}, turn: {about: x, by: 3 deg}}"
-                .into(),
-            "about its own axis alone",
-        ),
-        (
-            "{box: {x: [0 mm, 9 mm], y: [0 mm, 9 mm], z: [0 mm, 9 mm]}, turn: {about: x, by: 3 mm}}"
-                .into(),
-            "length",
-        ),
-        (
-            "{box: {x: [0 mm, 9 mm], y: [0 mm, 9 mm], z: [0 mm, 9 mm]}, prism: {axis: y, from: 0 \
-             mm, to: 3 mm, outline: []}}"
-                .into(),
-            "one of them",
-        ),
+        (flat("3 mm", "3 mm", ""), "no thickness"),
+        (flat("0 mm", "3 mm", ", turn: {about: x, by: 3 deg}"), "about its own axis alone"),
+        (cube(", turn: {about: x, by: 3 mm}"), "length"),
+        (cube(", prism: {axis: y, from: 0 mm, to: 3 mm, outline: []}"), "one of them"),
     ] {
         let said = with(&solid);
         assert!(said.contains(words) && said.contains('A'), "{solid}: {said}");

@@ -8,7 +8,7 @@ use bracket_base::math::vec3::{self, V3};
 use bracket_base::say;
 use bracket_base::words::Text;
 use bracket_joint::assembly::assembly::Grip;
-use bracket_joint::assembly::part::across;
+use bracket_joint::assembly::axes::across;
 use bracket_joint::strength::BoltLimits;
 
 const SOURCE: &str = "EN 1993-1-8:2005 2.5(1), 3.12, Table 3.4";

@@ -1,8 +1,8 @@
 //! Convex prisms along a coordinate axis: what cuts and turns leave of boxes and outlines.
 
 use super::assembly::{OutlineEdge, Solid};
-use super::content::{Extent, SAME_PLACE};
-use super::part::unit;
+use super::axes::unit;
+use super::extent::{Extent, SAME_PLACE};
 use super::turn::Turn;
 use bracket_base::math::vec3::{V3, along, dot, sub};
 
@@ -181,8 +181,8 @@ impl Block {
         place(self.span[0]).chain(place(self.span[1])).collect()
     }
 
-    /// Points that span what of it lies between two planes across `normal`, given by their distances
-    /// from the origin \[mm\].
+    /// Points that span what of it lies between two planes across `normal`, given by their
+    /// distances from the origin \[mm\].
     pub fn between(&self, normal: V3, [low, high]: [f64; 2]) -> Vec<V3> {
         let corners = self.corners();
         let n = self.polygon.len();

@@ -81,7 +81,8 @@ impl Places {
                 let ends = edges.iter().map(|e| match e {
                     OutlineEdge::Line { to } | OutlineEdge::Arc { to, .. } => to,
                 });
-                // an oblique profile has a face across an axis only where its own directions lie on it
+                // an oblique profile has a face across an axis only where its own directions lie
+                // on it
                 let across = |k: usize| {
                     [u[k], v[k], along[k] / length]
                         .iter()

@@ -3,6 +3,7 @@
 pub mod actions;
 #[allow(clippy::module_inception)] // a file is named for its noun, and this one holds `Assembly`
 pub mod assembly;
+pub mod axes;
 pub mod block;
 mod builder;
 pub mod code_values;
@@ -15,9 +16,11 @@ pub mod end_plate;
 pub mod error;
 mod evaluate;
 mod expected_parts;
+pub mod extent;
 mod facts;
 mod family_values;
 mod given;
+pub mod hole;
 pub mod inputs;
 pub mod joint;
 mod ledges;

@@ -2,10 +2,10 @@
 //! averaged, and the zones around bolts, welds and re-entrant edges that are left out.
 
 use super::assembly::{Assembly, InterfaceRule, Surface, SymmetryPlane};
+use super::axes::unit;
 use super::block::Block;
 use super::content::{Content, Extent, Fastener};
 use super::ledges::LEDGE;
-use super::part::unit;
 use super::turn::Turn;
 use bracket_base::math::vec3::{V3, dot};
 use bracket_engine::estimate::plate::{Plate, Zone, axes_of};
@@ -202,7 +202,8 @@ fn joint_edges(of: &Sheet, other: &Sheet, assembly: &Assembly) -> Vec<[[f64; 3];
     out
 }
 
-/// The same for sheets of any direction: the sides of the rectangle, in the plane of the first, round
+/// The same for sheets of any direction: the sides of the rectangle, in the plane of the first,
+/// round
 /// what of the other one is in its thickness, without those on its own border. Sheets of two parts
 /// with a contact between them are taken as open.
 fn oblique_edges(of: &Sheet, other: &Sheet, assembly: &Assembly) -> Vec<[V3; 2]> {

@@ -2,7 +2,7 @@
 
 use crate::assembly::Assembly;
 use crate::assembly::assembly::{Grip, Section, SymmetryPlane};
-use crate::assembly::part::across;
+use crate::assembly::axes::across;
 use crate::strength::{BoltLimits, DesignStrengths};
 use bracket_engine::mesh::TetMesh;
 use bracket_engine::model::file::{CutEntry, ResultantLimitEntry};

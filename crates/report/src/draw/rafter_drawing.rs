@@ -52,7 +52,8 @@ pub fn legend(e: &EndPlate) -> Vec<Text> {
     let mut out = vec![say!("slope of the rafter {}°", degrees(r.slope))];
     if let Some(h) = &r.haunch {
         out.push(say!(
-            "haunch {} long, depth at the plate with the rafter {}, flange {} at {}° to the rafter, \
+            "haunch {} long, depth at the plate with the rafter {}, flange {} at {}° to the \
+             rafter, \
              web {}",
             n(h.length),
             n(r.depth),

@@ -170,7 +170,7 @@ impl EvidencePlan {
             let Surface::Plane { axis, min, max, .. } = rule.surface else { return None };
             let size = |k: usize| max[k] - min[k];
             let off = |k: usize| (size(k) - rule.thickness).abs();
-            let [first, second] = bracket_joint::assembly::part::across(axis);
+            let [first, second] = bracket_joint::assembly::axes::across(axis);
             // the plate is as thick as the weld's interface is wide
             let (along, across) =
                 if off(first) > off(second) { (first, second) } else { (second, first) };

@@ -7,8 +7,8 @@ use crate::assembly::assembly::{
 use crate::assembly::end_plate::EndPlate;
 use crate::assembly::error::AssemblyError;
 use crate::assembly::evaluate::{entry_fault, identifier, within};
+use crate::assembly::hole::{Hole, bolt_pieces};
 use crate::assembly::member_ends::Frame;
-use crate::assembly::part::{Hole, bolt_pieces};
 use crate::assembly::scope::Scope;
 use crate::assembly::seen_bolts::{self, Meshed};
 use crate::assembly::template::BoltEntry;

@@ -4,11 +4,12 @@ use super::bolts::Bolt;
 use super::context::Context;
 use super::shapes::Shape;
 use crate::assembly::assembly::{Grip, Ply, Room, Section};
+use crate::assembly::axes::across;
 use crate::assembly::block::Block;
 use crate::assembly::content::SAME_PLACE;
 use crate::assembly::error::AssemblyError;
 use crate::assembly::evaluate::{entry_fault, within};
-use crate::assembly::part::{Hole, across};
+use crate::assembly::hole::Hole;
 use crate::strength::Strength;
 use std::collections::BTreeMap;
 

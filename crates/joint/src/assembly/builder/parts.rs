@@ -3,10 +3,11 @@
 use super::context::Context;
 use super::shapes::{Body, Shape};
 use crate::assembly::assembly::{MidPlane, Part, PartMaterial, PartRole, Solid};
+use crate::assembly::axes::{cuboid, without};
 use crate::assembly::block;
 use crate::assembly::error::AssemblyError;
 use crate::assembly::evaluate::{entry_fault, identifier, within};
-use crate::assembly::part::{Hole, around_holes, cuboid, perforated, without};
+use crate::assembly::hole::{Hole, around_holes, perforated};
 use crate::assembly::scope::Scope;
 use crate::assembly::template::{MidEntry, PartEntry, RoleEntry};
 use crate::spec::expr::ExprError;

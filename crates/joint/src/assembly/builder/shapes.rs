@@ -2,13 +2,14 @@
 //! prisms.
 
 use super::context::Context;
+use crate::assembly::axes::without;
 use crate::assembly::block::{Block, crosses_itself, twice_area};
 use crate::assembly::content::{
     Content, Extent, Fastener, Length, Piece, PieceKind, Ply, SAME_PLACE, cut,
 };
 use crate::assembly::error::AssemblyError;
 use crate::assembly::evaluate::{entry_fault, within};
-use crate::assembly::part::{Placed, without};
+use crate::assembly::part::Placed;
 use crate::assembly::scope::Scope;
 use crate::assembly::template::{BoxEntry, PartEntry, PrismEntry, SolidEntry, TurnEntry};
 use crate::assembly::turn::Turn;

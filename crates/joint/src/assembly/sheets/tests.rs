@@ -162,3 +162,53 @@ fn half_of_a_web_behind_a_plane_of_symmetry() {
     assert_eq!(kept.count(), 2);
     assert_eq!(web.plate(&TetMesh::default(), &[]), None);
 }
+
+/// A haunched rafter at 6°: the slab of its flange, of its web and of the haunch flange hold the
+/// middles of what is drawn of them, at mid-thickness; the plate and the flange of the haunch leave
+/// their toes on the rafter.
+#[test]
+fn sloping_sheets_have_axes_of_their_own() {
+    let spec = include_str!("../../../../../examples/haunched_eaves/joint.yaml");
+    let joint = ok(spec);
+    let all = list(&joint);
+    let rafter = |kind: SheetKind| {
+        let of = move |s: &&Sheet| s.part == "RAFTER" && s.kind == kind;
+        all.iter().filter(of).collect::<Vec<_>>()
+    };
+    assert_eq!(
+        [SheetKind::Flange, SheetKind::Web, SheetKind::Plate].map(|k| rafter(k).len()),
+        [2, 1, 2]
+    );
+    let (sin, cos) = 6f64.to_radians().sin_cos();
+    let near = |a: V3, b: V3| (0..3).all(|k| (a[k] - b[k]).abs() < 1e-12);
+    for s in rafter(SheetKind::Flange).into_iter().chain(rafter(SheetKind::Web)) {
+        let [u, v, n] = s.axes();
+        let along = [cos, 0.0, sin];
+        assert!(near(u, along), "{s:?}");
+        let across = [0.0, 1.0, 0.0];
+        let up = [-sin, 0.0, cos];
+        let flat = s.kind == SheetKind::Flange;
+        assert!(near(v, if flat { across } else { up }) && near(n, if flat { up } else { across }));
+        // what is drawn of it is between its faces
+        let length: Vec<_> = joint.content.members.iter().filter(|m| m.part == s.part).collect();
+        let blocks = length[0].solids();
+        let inside = |b: &&Block| {
+            let c = b.corners();
+            let middle: V3 =
+                std::array::from_fn(|k| c.iter().map(|p| p[k]).sum::<f64>() / c.len() as f64);
+            let own = [u, v, n].map(|a| dot(middle, a));
+            let mesh = meshed(&joint);
+            let plate = s.plate(&mesh, &[]).expect("a plate");
+            (0..2).all(|i| plate.extent[i][0] < own[i] && own[i] < plate.extent[i][1])
+                && (own[2] - 0.5 * (plate.extent[2][0] + plate.extent[2][1])).abs() < 1e-6
+        };
+        assert_eq!(blocks.iter().filter(inside).count(), 1, "{s:?}");
+        assert!(!s.edges.is_empty(), "{s:?}");
+    }
+}
+
+/// A mesh that knows the names of the bodies alone.
+fn meshed(joint: &Joint) -> TetMesh {
+    let bodies = joint.assembly.parts.iter().map(|p| p.name.clone()).collect();
+    TetMesh { bodies, ..TetMesh::default() }
+}
