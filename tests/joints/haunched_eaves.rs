@@ -54,7 +54,8 @@ fn the_checks_know_all_of_a_haunched_rafter() {
 }
 
 /// N and V of a rafter that rises by 6° become N cos α − V sin α normal to the plate, and along it
-/// N sin α + V cos α. The moment at the face of the column is that on the rafter's axis; the middle of
+/// N sin α + V cos α. The moment at the face of the column is that on the rafter's axis; the
+/// middle of
 /// the depth is 400 + 201.1 − 401.1 − 25 tan 6° = 197.4 mm lower, where N normal to the plate gives
 /// 197.4 N less.
 #[test]

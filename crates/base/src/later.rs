@@ -1,16 +1,7 @@
 //! Kinds of joint that people ask for and this edition does not have.
 
 /// Beginnings of words, and what they mean.
-const LATER: [(&str, &str); 8] = [
-    ("haunch", "haunches"),
-    ("voute", "haunches"),
-    ("slope", "sloped members"),
-    ("inclin", "sloped members"),
-    ("roof", "sloped members"),
-    ("skew", "skewed members"),
-    ("taper", "tapered members"),
-    ("angle", "sloped and skewed members"),
-];
+const LATER: [(&str, &str); 2] = [("skew", "skewed members"), ("taper", "tapered members")];
 
 /// What a key, parameter or template would be about, if this edition does not have it.
 pub fn not_in_this_edition(word: &str) -> Option<&'static str> {
@@ -22,8 +13,8 @@ pub fn not_in_this_edition(word: &str) -> Option<&'static str> {
 /// The help for such a word.
 pub fn help(what: &str) -> String {
     format!(
-        "{what} are not in this edition: its templates join members at right angles; a template of \
-         your own can have further plates, which no check by code covers (templates/README.md)"
+        "{what} are not in this edition; a template of your own can have turned solids and plates \
+         with outlines, which no check by code covers (templates/README.md)"
     )
 }
 
@@ -33,10 +24,10 @@ mod tests {
 
     #[test]
     fn words_of_later_editions_are_known_in_their_spellings() {
-        for word in ["haunch", "haunch_depth", "Haunched", "beam_slope", "inclination", "angle"] {
+        for word in ["skew", "skew_angle", "Skewed", "tapered_flange"] {
             assert!(not_in_this_edition(word).is_some(), "{word}");
         }
-        for word in ["gauge", "rectangle", "proof", "plate", "beam_length", ""] {
+        for word in ["gauge", "haunch", "slope", "proof", "plate", "beam_length", ""] {
             assert_eq!(not_in_this_edition(word), None, "{word}");
         }
     }

@@ -300,9 +300,10 @@ impl Check {
         }
     }
 
-    /// True for a length with its limit, which measures no strength: a distance, a throat.
+    /// True for a length or an angle with its limit, which measures no strength: a distance, a
+    /// throat.
     pub fn is_limit(&self) -> bool {
-        self.unit == Unit::Length
+        self.unit == Unit::Length || self.id() == CheckId::HaunchAngle
     }
 
     /// True for a utilisation that decides: of a strength, no kept length, no recommendation.

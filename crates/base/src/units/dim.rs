@@ -111,6 +111,7 @@ const UNITS: &[(&str, f64, Dim)] = &[
     ("ksi", 1e3 * POUND / (INCH * INCH), Dim::STRESS),
     ("rad", 1.0, Dim::ANGLE),
     ("deg", std::f64::consts::PI / 180.0, Dim::ANGLE),
+    ("°", std::f64::consts::PI / 180.0, Dim::ANGLE),
 ];
 
 /// Factor and dimension of a unit suffix. `*`, `·` and repeated blanks between factors count as one

@@ -30,6 +30,17 @@ impl Kind {
         }
     }
 
+    /// The word with its article, for messages.
+    pub fn one(self) -> &'static str {
+        match self {
+            Kind::Length => "a length",
+            Kind::Force => "a force",
+            Kind::Moment => "a moment",
+            Kind::Stress => "a stress",
+            Kind::Angle => "an angle",
+        }
+    }
+
     /// The accepted units, for messages.
     pub fn accepted(self) -> &'static str {
         match self {
@@ -68,7 +79,7 @@ impl Kind {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum UnitError {
     /// The text does not begin with a number.
-    #[error("`{text}` is not a {}: write a number and a unit ({})", kind.word(), kind.accepted())]
+    #[error("`{text}` is not {}: write a number and a unit ({})", kind.one(), kind.accepted())]
     NotANumber {
         /// The text as written.
         text: String,
@@ -77,8 +88,8 @@ pub enum UnitError {
     },
     /// The suffix is not a unit of this kind.
     #[error(
-        "`{text}` is not a {}: `{suffix}` is not one of its units ({})",
-        kind.word(),
+        "`{text}` is not {}: `{suffix}` is not one of its units ({})",
+        kind.one(),
         kind.accepted()
     )]
     WrongUnit {
@@ -100,9 +111,9 @@ pub enum UnitError {
     },
     /// The number contains a comma.
     #[error(
-        "`{text}` is not a {}: a number has a point before its decimals and nothing between its \
+        "`{text}` is not {}: a number has a point before its decimals and nothing between its \
          thousands{}",
-        kind.word(),
+        kind.one(),
         pointed(text)
     )]
     Comma {

@@ -137,6 +137,8 @@ ids! {
     HaunchFlangeWidth "width of the haunch flange, no less than that of the beam",
     HaunchWebThickness "thickness of the haunch web, no less than that of the beam",
     HaunchAngle "angle of the haunch flange with the flange of the beam",
+    HaunchTipWeld "weld of the haunch flange at its tip",
+    HaunchHeld "compressed flanges of haunch and beam held sideways",
     HaunchTipWeb "web of the beam under the haunch flange",
     HaunchTipFlange "flange of the beam in bending under the haunch flange",
     HaunchWebShear "shear of the haunch web along the beam",

@@ -208,6 +208,7 @@ fn grip_of_m20() {
     let room = Room {
         edge: [[30.0, 120.0], [40.0, 160.0]],
         pitch: [[f64::INFINITY, 90.0], [f64::INFINITY, 70.0]],
+        oblique: false,
     };
     let ply = |thickness: f64, room: Option<Room>| Ply {
         part: "P".into(),

@@ -20,8 +20,25 @@ pub(super) fn rules(e: &EndPlate) -> Vec<Check> {
     if let Some(h) = at_plate::haunch(e) {
         out.extend(dimensions(e, h));
         out.push(steel(e, h));
+        out.extend(assumed());
     }
     out
+}
+
+/// What the checks assume of every haunch.
+fn assumed() -> [Check; 2] {
+    let tip = "a butt weld as strong as the flange joins it to the flange of the beam; it is not \
+               checked";
+    let held = "between plate and tip, and at the tip, so that they do not buckle sideways; \
+     lateral \
+                torsional buckling of the beam is not checked here";
+    let of = |topic, part, clause, id, why: &'static str| {
+        Check::assumption(topic, part, clause, id, why)
+    };
+    [
+        of(Topic::Welds, Part::HaunchFlange, "EN 1993-1-8:2005 4.7.1", CheckId::HaunchTipWeld, tip),
+        of(Topic::Stability, Part::Haunch, "EN 1993-1-1:2005 6.3.2", CheckId::HaunchHeld, held),
+    ]
 }
 
 /// Thickness, width and angle of the haunch beside those of the beam.
@@ -89,7 +106,9 @@ fn fillets(e: &EndPlate) -> Vec<Check> {
         );
         let why = Derivation::from(beyond)
             .then("the faces of these fillet welds do not stand at 60° to 120°");
-        let step = "butt welds of the flange (`flange_weld: 0`), or a smaller angle";
+        let step = "butt welds of the flanges (`flange_weld: 0`), or a longer haunch: slope and \
+         angle \
+                    of the haunch together at most 30°";
         Check::undecided(Topic::Welds, f.part, clause, id, why, step)
     };
     askew.map(check).collect()

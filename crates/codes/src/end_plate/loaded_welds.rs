@@ -6,7 +6,8 @@ use super::weld_lengths;
 use super::welded_steel;
 use crate::check::{Check, CheckId, Status, Topic, Unit, within};
 use crate::eurocode::welds::{
-    LineForce, WeldedSteel, either_method, full_strength_throat, simplified, transverse,
+    LineForce, WeldedSteel, either_method, full_strength_throat_inclined, simplified, transverse,
+    transverse_inclined,
 };
 use crate::formula::{Derivation, Formula, Line, Number, Traced};
 use crate::subject::{Part, Subject};
@@ -139,8 +140,9 @@ pub(super) fn under_load(e: &EndPlate, a: &PlaneActions) -> Vec<Check> {
 /// The weld of a flange, across it under moment and axial force, along it under half of Vy; welds
 /// of full strength carry all that the flange can bring.
 ///
-/// The welds of an inclined flange take its force along it, F_Ed/cos θ, by the simplified method,
-/// which holds for any direction of the force on the throat.
+/// The welds of an inclined flange take its force along it, F_Ed/cos θ, by the directional method
+/// with its angle; beside a force along the weld by the simplified method, which holds for any
+/// direction.
 fn flange(
     e: &EndPlate,
     f: &PlateFlange<'_>,
@@ -159,11 +161,12 @@ fn flange(
     let demand = force.resultant();
     let mut worked = match f.is_normal() {
         true => either_method(force, a, steel),
+        false if along == 0.0 => transverse_inclined(a, f.slope, steel),
         false => simplified(a, steel),
     };
-    let full = full_strength_throat(f.thickness, f.steel.fy, e.factors.gamma_m0, steel);
+    let full = full_throat_of(e, f, steel);
     let short = demand.is_finite() && !within(demand, worked.value);
-    if short && f.is_normal() && within(full.value, a) {
+    if short && within(full.value, a) {
         worked = worked
             .then(welded_steel::as_strong(a, &full))
             .becomes("F_w,Rd", flange_strength(e, f) / l.clone());
@@ -290,6 +293,12 @@ pub(super) fn most_of_web(e: &EndPlate) -> Traced {
         / Traced::number("γ_M0", e.factors.gamma_m0)
 }
 
+/// Throat of the welds of a flange that are as strong as it \[mm\].
+pub(super) fn full_throat_of(e: &EndPlate, f: &PlateFlange<'_>, steel: &WeldedSteel) -> Worked {
+    let inclined = (f.slope, steel);
+    full_strength_throat_inclined(f.thickness, f.steel.fy, e.factors.gamma_m0, inclined)
+}
+
 /// Resistance of the welds of a flange, with their length.
 pub(super) fn flange_resistance(
     e: &EndPlate,
@@ -298,16 +307,18 @@ pub(super) fn flange_resistance(
 ) -> Option<Worked> {
     let (a, most) = (e.flange_throat, flange_strength(e, f));
     let steel = welded_steel::of_the_beam(e)?;
-    let full = full_strength_throat(f.thickness, f.steel.fy, e.factors.gamma_m0, &steel);
+    let full = full_throat_of(e, f, &steel);
     let length = weld_lengths::flange(e, f);
-    let each = if f.is_normal() { transverse(a, &steel) } else { simplified(a, &steel) };
+    let each = match f.is_normal() {
+        true => transverse(a, &steel),
+        false => transverse_inclined(a, f.slope, &steel),
+    };
     let along = each.traced() * weld_lengths::counted(&length);
     let of = |value: Traced| {
         let id = CheckId::FlangeWeldNotWeakest;
         Worked::of(clause, id, "F_Rd", value, Unit::Force)
     };
-    let full_strength = f.is_normal() && within(full.value, a);
-    Some(match full_strength && most.value() > along.value() {
+    Some(match within(full.value, a) && most.value() > along.value() {
         true => {
             let why = Derivation::from(welded_steel::as_strong(a, &full))
                 .then(CheckId::WeldFullStrength.title());

@@ -3,8 +3,8 @@
 
 use super::at_plate;
 use super::loaded_welds::{
-    YIELDS, along_flange, flange_lever, flange_resistance, flange_strength, most_of_web,
-    web_strength, yielding_part,
+    YIELDS, along_flange, flange_lever, flange_resistance, flange_strength, full_throat_of,
+    most_of_web, web_strength, yielding_part,
 };
 use super::member_end::LoadedEnd;
 use super::weld_lengths;
@@ -25,16 +25,11 @@ use bracket_joint::assembly::EndPlate;
 pub(super) fn full_strength_throats(e: &EndPlate) -> Vec<Check> {
     let Some(steel) = welded_steel::of_the_beam(e) else { return Vec::new() };
     let flanges = at_plate::flanges(e);
-    // no welds of an inclined flange count as those of full strength
-    let normal = flanges.iter().filter(|f| f.is_normal());
-    let normal = normal.map(|f| (f.part, f.thickness, f.steel.fy));
+    let of_flange = |f| full_throat_of(e, f, &steel).information(Topic::Welds, f.part);
     let [_, web] = at_plate::webs(e);
-    normal
-        .chain([(Part::BeamWeb, web, e.beam_steel.fy)])
-        .map(|(part, t, fy)| {
-            full_strength_throat(t, fy, e.factors.gamma_m0, &steel).information(Topic::Welds, part)
-        })
-        .collect()
+    let of_web = full_strength_throat(web, e.beam_steel.fy, e.factors.gamma_m0, &steel);
+    let of_web = of_web.information(Topic::Welds, Part::BeamWeb);
+    flanges.iter().map(of_flange).chain([of_web]).collect()
 }
 
 /// Least throats and lengths of the welds of the beam, which no load changes.

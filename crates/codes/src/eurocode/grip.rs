@@ -54,7 +54,7 @@ fn bearing(grip: &Grip, ply: &Ply, gamma_m2: f64) -> Option<[[f64; 2]; 2]> {
         Clearance::Small | Clearance::Oversize => Hole::Oversize,
         Clearance::Beyond => return None,
     };
-    let Room { edge, pitch } = ply.room?;
+    let Room { edge, pitch, .. } = ply.room?;
     let least = |x: [f64; 2]| x[0].min(x[1]);
     let towards = |i: usize, way: usize| {
         let at = |along| {

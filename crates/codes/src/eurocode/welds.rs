@@ -165,6 +165,31 @@ pub fn transverse(throat: f64, steel: &WeldedSteel) -> Worked {
     Worked::of("EN 1993-1-8:2005 4.5.3.2(6)", id, "F_w,Rd", value, Unit::ForcePerLength)
 }
 
+/// The same under a force along a plate that leans by `slope` θ \[rad\] against the normal of
+/// what it stands on, with a weld on either side.
+///
+/// The throat halves the angle ψ between the two parts: σ⊥ = F sin(ψ/2)/a and τ⊥ = F cos(ψ/2)/a, so
+/// that √(σ⊥² + 3 τ⊥²) = F √(2 + cos ψ)/a. The weld at the sharper angle, ψ = 90° − θ, decides:
+/// `F_w,Rd = a f_u/(√(2 + sin θ) β_w γ_M2)`.
+///
+/// # Source
+/// EN 1993-1-8:2005 4.5.3.2(6), 4.3.2.1 for 60° to 120°; σ⊥ ≤ 0.9 f_u/γ_M2 never decides there,
+/// because β_w ≥ 0.61.
+pub fn transverse_inclined(throat: f64, slope: f64, steel: &WeldedSteel) -> Worked {
+    let value = Traced::length("a", throat) * steel.f_u()
+        / (inclination(slope).sqrt() * steel.beta_w() * steel.gamma_m2());
+    let id = CheckId::WeldAcross;
+    Worked::of("EN 1993-1-8:2005 4.5.3.2(6)", id, "F_w,Rd", value, Unit::ForcePerLength)
+}
+
+/// 2 + sin θ of [`transverse_inclined`]; 2 at a right angle.
+fn inclination(slope: f64) -> Traced {
+    match slope == 0.0 {
+        true => Traced::from(2.0),
+        false => Traced::from(2.0) + Traced::number("sin θ", slope.abs().sin()),
+    }
+}
+
 /// Design resistance of a fillet weld per length, `a f_u/(√n β_w γ_M2)` \[N/mm\]: n = 3 in shear, 2
 /// under a force across the weld.
 fn per_length<N: Number>(throat: N, n: f64, f_u: N, beta_w: N, gamma_m2: N) -> N {
@@ -277,9 +302,26 @@ pub fn full_strength_throat(
     gamma_m0: f64,
     steel: &WeldedSteel,
 ) -> Worked {
+    full_strength_throat_inclined(thickness, fy, gamma_m0, (0.0, steel))
+}
+
+/// The same for a plate that leans by `slope` θ \[rad\] against the normal of what it stands on:
+/// `a ≥ t (f_y/γ_M0) β_w γ_M2 √(2 + sin θ)/(2 f_u)`.
+///
+/// # Source
+/// [`transverse_inclined`].
+pub fn full_strength_throat_inclined(
+    thickness: f64,
+    fy: Nominal,
+    gamma_m0: f64,
+    (slope, steel): (f64, &WeldedSteel),
+) -> Worked {
     let (t, f_y) = (Traced::length("t", thickness), Traced::stress("f_y", fy.mpa()));
-    let value = t * f_y / Traced::number("γ_M0", gamma_m0) * steel.beta_w() * steel.gamma_m2()
-        / (Traced::from(2.0).sqrt() * steel.f_u());
+    let needed = t * f_y / Traced::number("γ_M0", gamma_m0) * steel.beta_w() * steel.gamma_m2();
+    let value = match slope == 0.0 {
+        true => needed / (Traced::from(2.0).sqrt() * steel.f_u()),
+        false => needed * inclination(slope).sqrt() / (Traced::from(2.0) * steel.f_u()),
+    };
     let id = CheckId::ThroatFullStrength;
     Worked::of("EN 1993-1-8:2005 4.5.3.2(6)", id, "a", value, Unit::Length)
 }

@@ -116,6 +116,13 @@ fn values(grip: &Grip, limits: &BoltLimits, sections: &[V3]) -> Vec<RouteUse> {
         let at =
             |k: Option<usize>| k.and_then(|k| sections.get(k)).map_or([0.0; 3], |f| parts(*f).1);
         let force = vec3::sub(at(Some(i)), at(i.checked_sub(1)));
+        if ply.room.is_some_and(|r| r.oblique) {
+            // the least of all directions, for the resultant
+            let least = resistances.as_flattened().iter().copied().fold(f64::INFINITY, f64::min);
+            let what = say!("{}, bearing on {}", bolt, &ply.part);
+            out.push(row(what, vec3::norm(force), least, Unit::Force));
+            continue;
+        }
         let along = (0..3).find(|&k| grip.axis[k] != 0.0).unwrap_or(0);
         for (k, [negative, positive]) in across(along).into_iter().zip(resistances) {
             for (sign, limit) in [(-1.0, negative), (1.0, positive)] {

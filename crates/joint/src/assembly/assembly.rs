@@ -335,6 +335,9 @@ pub struct Room {
     /// To the nearest other hole: the part of its distance along the axis. Holes more than 45° off
     /// do not count. Infinite without one.
     pub pitch: [[f64; 2]; 2],
+    /// True in a ply that is turned or has an outline: all distances are then the least ones in any
+    /// direction, and what follows from them holds for the resultant.
+    pub oblique: bool,
 }
 
 /// A support on a named face.

@@ -67,4 +67,4 @@ mod extends_tests;
 #[cfg(test)]
 mod good_messages;
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;

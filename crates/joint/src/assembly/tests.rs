@@ -39,7 +39,7 @@ pub(super) fn code() -> CodeValues {
     }
 }
 
-pub(super) fn ok(text: &str) -> Joint {
+pub(crate) fn ok(text: &str) -> Joint {
     joint(text).unwrap_or_else(|faults| panic!("{faults:#?}"))
 }
 

@@ -371,6 +371,10 @@ fn is_thin(gap: f64) -> bool {
 
 /// Shortest interval outside both solids, with a length in (`TOUCH`, `SMALLEST_GAP`), on lines
 /// along an axis through a box.
+///
+/// Where the solids touch beside the line, no farther than the gap is wide, the air is the open
+/// corner between two faces, which a line along one of them crosses at its very end: a sloping
+/// flange on an end plate. A narrow gap that ends in a contact is found farther from it.
 fn thin_air(a: &FlatSolid, b: &FlatSolid, axis: usize, min: V3, max: V3) -> Option<f64> {
     let mut shortest: Option<f64> = None;
     for line in probes(axis, min, max) {
@@ -378,15 +382,36 @@ fn thin_air(a: &FlatSolid, b: &FlatSolid, axis: usize, min: V3, max: V3) -> Opti
         let [in_a, in_b] = [a, b].map(|solid| intersect(&line.through(solid), &within));
         for s in &in_a {
             for t in &in_b {
-                for gap in [t[0] - s[1], s[0] - t[1]] {
-                    if is_thin(gap) {
-                        shortest = Some(shortest.map_or(gap, |x| x.min(gap)));
+                for (gap, from) in [(t[0] - s[1], s[1]), (s[0] - t[1], t[1])] {
+                    let less = shortest.is_none_or(|x| gap < x);
+                    if is_thin(gap) && less && !touches_beside(a, b, axis, &line, [from, gap]) {
+                        shortest = Some(gap);
                     }
                 }
             }
         }
     }
     shortest
+}
+
+/// True if the solids touch on a line beside this one, as far from it as the gap is wide: within
+/// that length of the gap, which begins at `from`.
+fn touches_beside(
+    a: &FlatSolid,
+    b: &FlatSolid,
+    axis: usize,
+    line: &Line,
+    [from, gap]: [f64; 2],
+) -> bool {
+    let near = [[from - gap, from + 2.0 * gap]];
+    let beside = [(1, 1.0), (1, -1.0), (2, 1.0), (2, -1.0)];
+    beside.into_iter().any(|(next, sign)| {
+        let mut moved = *line;
+        moved.start[(axis + next) % 3] += sign * gap;
+        let [in_a, in_b] = [a, b].map(|solid| intersect(&moved.through(solid), &near));
+        let ends = |s: &[f64; 2], t: &[f64; 2]| (t[0] - s[1]).max(s[0] - t[1]);
+        in_a.iter().any(|s| in_b.iter().any(|t| ends(s, t) <= TOUCH))
+    })
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! The resistances of the bolts as limits of the forces in the sections of their shanks.
 
 use crate::assembly::Assembly;
-use crate::assembly::assembly::{Grip, Section, SymmetryPlane};
+use crate::assembly::assembly::{Grip, Ply, Section, SymmetryPlane};
 use crate::assembly::axes::across;
 use crate::strength::{BoltLimits, DesignStrengths};
 use bracket_engine::mesh::TetMesh;
@@ -108,7 +108,21 @@ impl Bolt<'_> {
         let after = &sections[i..(i + 1).min(sections.len())];
         let before = if i > 0 { &sections[i - 1..i] } else { &[] };
         let outer = after.is_empty() || before.is_empty();
-        let ply = &self.grip.plies[i].part;
+        let Ply { part: ply, room, .. } = &self.grip.plies[i];
+        let cuts = if after.is_empty() { [before, after] } else { [after, before] };
+        if room.is_some_and(|r| r.oblique) {
+            // the least of all directions, for the resultant
+            let least = resistances.as_flattened().iter().copied().fold(f64::INFINITY, f64::min);
+            let unit = |k: usize| std::array::from_fn(|d| f64::from(u8::from(d == k)));
+            let across: Vec<[f64; 3]> = self.open().map(|(_, k)| unit(k)).collect();
+            let needed = !outer || least < self.bolt.shear;
+            if needed && !across.is_empty() {
+                let name = format!("{} in bearing on {ply}", self.grip.part);
+                let set = Set { along: [0.0; 3], across, at_most: least };
+                self.limit(out, name, cuts, set);
+            }
+            return;
+        }
         for (slot, k) in self.open() {
             for (sign, resistance) in [-1.0, 1.0].into_iter().zip(resistances[slot]) {
                 if outer && resistance >= self.bolt.shear {
@@ -119,7 +133,6 @@ impl Bolt<'_> {
                     format!("{} in bearing on {ply} toward {way}{}", self.grip.part, NAMES[k]);
                 let mut along = [0.0; 3];
                 along[k] = if after.is_empty() { -sign } else { sign };
-                let cuts = if after.is_empty() { [before, after] } else { [after, before] };
                 self.limit(out, name, cuts, Set::along(along, resistance));
             }
         }
@@ -142,7 +155,7 @@ impl Set {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::assembly::assembly::{Ply, Section, Surface};
+    use crate::assembly::assembly::{Room, Surface};
     use crate::catalog::Catalog;
     use crate::geometry::fixtures::lap_joint;
     use crate::model_file::{Asked, model_file};
@@ -253,6 +266,13 @@ mod tests {
             .map(|(name, along, across, most)| (name, along, across / 2, most / 2.0))
             .collect();
         assert_eq!(told(&half), halved);
+        // a turned ply: the least resistance, for the resultant
+        let mut turned = joint.clone();
+        let (edge, pitch) = ([[30.0; 2]; 2], [[60.0; 2]; 2]);
+        turned.grips[0].plies[0].room = Some(Room { edge, pitch, oblique: true });
+        let oblique = told(&model(&turned, &known, &[], AnalysisKind::Limit));
+        let upper: Vec<_> = oblique.iter().filter(|l| l.0.contains("UPPER")).collect();
+        assert_eq!(upper, [&entry("in bearing on UPPER", [0.0; 3], 2, 1e3)]);
         let elastic = model(&joint, &known, &[], AnalysisKind::Elastic);
         assert!(elastic.cuts.is_empty() && elastic.resultant_limits.is_empty());
         let none = model(&joint, &DesignStrengths::default(), &[], AnalysisKind::Limit);

@@ -49,7 +49,10 @@ pub fn side_view(d: &mut Drawing, s: &Scale, joint: &Content, window: &Extent, f
 pub fn legend(e: &EndPlate) -> Vec<Text> {
     let Some(r) = &e.rafter else { return Vec::new() };
     let degrees = |angle: f64| n((angle.to_degrees() * 100.0).round() / 100.0);
-    let mut out = vec![say!("slope of the rafter {}°", degrees(r.slope))];
+    let mut out = vec![match r.slope < 0.0 {
+        false => say!("slope of the rafter {}°", degrees(r.slope)),
+        true => say!("slope of the rafter {}°, falling from the joint", degrees(-r.slope)),
+    }];
     if let Some(h) = &r.haunch {
         out.push(say!(
             "haunch {} long, depth at the plate with the rafter {}, flange {} at {}° to the \

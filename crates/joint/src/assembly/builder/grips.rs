@@ -6,7 +6,7 @@ use super::shapes::Shape;
 use crate::assembly::assembly::{Grip, Ply, Room, Section};
 use crate::assembly::axes::across;
 use crate::assembly::block::Block;
-use crate::assembly::content::SAME_PLACE;
+use crate::assembly::content::{Extent, SAME_PLACE};
 use crate::assembly::error::AssemblyError;
 use crate::assembly::evaluate::{entry_fault, within};
 use crate::assembly::hole::Hole;
@@ -17,10 +17,46 @@ use std::collections::BTreeMap;
 /// distance along it: 45°.
 const NEIGHBOUR: f64 = 1.0;
 
-/// A part with holes: its steel, and the blocks of its plates, flanges and webs.
+/// A part with holes: its steel, and its plates, flanges and webs.
 struct Bolted {
     steel: Strength,
-    plates: Vec<Vec<Block>>,
+    plates: Vec<Plate>,
+}
+
+/// A plate, flange or web: the blocks that cuts leave of it, and what it was before, where it is
+/// turned or has an outline.
+struct Plate {
+    blocks: Vec<Block>,
+    oblique: Option<Oblique>,
+}
+
+/// A turned plate, or one with an outline, with the boxes cut out of it.
+struct Oblique {
+    whole: Block,
+    cuts: Vec<Extent>,
+}
+
+impl Oblique {
+    /// Distance of the axis of a hole from the nearest edge, of the plate or of a cut \[mm\].
+    fn to_edge(&self, centre: [f64; 3]) -> f64 {
+        let k = self.whole.axis;
+        let place = [centre[(k + 1) % 3], centre[(k + 2) % 3]];
+        let cuts = self.cuts.iter().map(|c| Block::of(c, k).polygon);
+        let polygons = cuts.chain([self.whole.polygon.clone()]);
+        polygons.map(|p| to_outline(&p, place)).fold(f64::INFINITY, f64::min)
+    }
+}
+
+/// Distance of a point from the nearest edge of an outline \[mm\].
+fn to_outline(outline: &[[f64; 2]], p: [f64; 2]) -> f64 {
+    let of = |i: usize| {
+        let (a, b) = (outline[i], outline[(i + 1) % outline.len()]);
+        let d = [b[0] - a[0], b[1] - a[1]];
+        let along = ((p[0] - a[0]) * d[0] + (p[1] - a[1]) * d[1]) / (d[0] * d[0] + d[1] * d[1]);
+        let f = along.clamp(0.0, 1.0);
+        (a[0] + f * d[0] - p[0]).hypot(a[1] + f * d[1] - p[1])
+    };
+    (0..outline.len()).map(of).fold(f64::INFINITY, f64::min)
 }
 
 impl Context<'_> {
@@ -45,6 +81,17 @@ impl Context<'_> {
                 };
                 let middle = b.hole.point(from + 0.5 * thickness);
                 let others = holes.get(part.as_str()).map_or(&[][..], Vec::as_slice);
+                let across_another = |p: &Plate| {
+                    let turned = p.oblique.as_ref().filter(|o| o.whole.axis != b.hole.axis);
+                    turned.is_some() && p.holds(middle, b.hole.axis)
+                };
+                if of.plates.iter().any(across_another) {
+                    let problem = format!(
+                        "the bolt passes `{part}` where it is turned, or has its outline, about \
+                         another axis than the bolt's: distances to edges have no meaning there"
+                    );
+                    return entry_fault(&b.name, problem);
+                }
                 plies.push(Ply {
                     part: part.clone(),
                     thickness: *thickness,
@@ -99,7 +146,7 @@ impl Context<'_> {
                 }
                 let thickness = within(at, scope.length(&entry.thickness))?;
                 let steel = self.inputs.strength(self.spec, &entry.steel, thickness)?;
-                let plates = self.shapes(entry, &scope)?.iter().flat_map(Shape::plates).collect();
+                let plates = self.shapes(entry, &scope)?.iter().flat_map(plates_of).collect();
                 out.insert(name, Bolted { steel, plates });
             }
         }
@@ -107,12 +154,37 @@ impl Context<'_> {
     }
 }
 
+/// The plates of a solid.
+fn plates_of(shape: &Shape<'_>) -> Vec<Plate> {
+    let whole = shape.uncut();
+    let of = |(blocks, whole): (Vec<Block>, Option<Block>)| {
+        let oblique = whole.map(|whole| Oblique { whole, cuts: shape.cuts.clone() });
+        Plate { blocks, oblique }
+    };
+    shape.plates().into_iter().zip(whole).map(of).collect()
+}
+
+impl Plate {
+    /// Whether a point inside a ply is in it.
+    fn holds(&self, centre: [f64; 3], axis: usize) -> bool {
+        self.blocks.iter().any(|b| b.reach(centre, axis, 1.0).is_some())
+    }
+}
+
 /// The room around a hole with its axis through `centre`, a point inside the ply, among the plates
-/// and holes of a part. A plate is the blocks that cuts leave of it.
-fn room(centre: [f64; 3], axis: usize, plates: &[Vec<Block>], holes: &[Hole]) -> Option<Room> {
-    let plate = plates.iter().find(|p| p.iter().any(|b| b.reach(centre, axis, 1.0).is_some()))?;
+/// and holes of a part.
+fn room(centre: [f64; 3], axis: usize, plates: &[Plate], holes: &[Hole]) -> Option<Room> {
+    let plate = plates.iter().find(|p| p.holds(centre, axis))?;
     let axes = across(axis);
-    let edge = axes.map(|k| [-1.0, 1.0].map(|sign| to_edge(centre, k, sign, plate)));
+    if let Some(oblique) = &plate.oblique {
+        let apart = |o: &Hole| axes.map(|k| o.base[k] - centre[k]);
+        let others = holes.iter().filter(|o| o.axis == axis).map(apart);
+        let others = others.map(|[a, b]| a.hypot(b)).filter(|d| *d > SAME_PLACE);
+        let pitch = others.fold(f64::INFINITY, f64::min);
+        let edge = oblique.to_edge(centre);
+        return Some(Room { edge: [[edge; 2]; 2], pitch: [[pitch; 2]; 2], oblique: true });
+    }
+    let edge = axes.map(|k| [-1.0, 1.0].map(|sign| to_edge(centre, k, sign, &plate.blocks)));
     let mut pitch = [[f64::INFINITY; 2]; 2];
     for other in holes.iter().filter(|o| o.axis == axis) {
         let from = axes.map(|k| other.base[k] - centre[k]);
@@ -128,7 +200,7 @@ fn room(centre: [f64; 3], axis: usize, plates: &[Vec<Block>], holes: &[Hole]) ->
             }
         }
     }
-    Some(Room { edge, pitch })
+    Some(Room { edge, pitch, oblique: false })
 }
 
 /// Distance from a point in a plate along axis `k`, in a direction of it, to the edge.
@@ -175,7 +247,7 @@ mod tests {
             hole(15.0, 45.0, 110.0),
             hole(15.0, -45.0, 210.0),
         ];
-        let plates = [beside, plate].map(|x| vec![Block::of(&x, 2)]);
+        let plates = [beside, plate].map(|x| boxes(vec![Block::of(&x, 2)]));
         let of = |centre: [f64; 3]| room(centre, 0, &plates, &holes);
         let found = of([7.5, -45.0, 40.0]).expect("inside the plate");
         assert_eq!(found.edge, [[30.0, 120.0], [40.0, 160.0]]);
@@ -193,22 +265,40 @@ mod tests {
         let web = [[0.0, 500.0], [-4.0, 4.0], [-140.0, 140.0]];
         let notch = [[-10.0, 80.0], [-100.0, 100.0], [110.0, 150.0]];
         let flange = [[80.0, 500.0], [-75.0, 75.0], [140.0, 150.0]];
-        let plates = [vec![Block::of(&flange, 2)], Block::of(&web, 2).minus(&notch)];
+        let plates = [vec![Block::of(&flange, 2)], Block::of(&web, 2).minus(&notch)].map(boxes);
         let of = |x: f64| room([x, 0.0, 70.0], 1, &plates, &[]).expect("inside").edge;
         assert_eq!(of(50.0), [[50.0, 450.0], [210.0, 40.0]]);
         assert_eq!(of(120.0), [[120.0, 380.0], [210.0, 70.0]]);
     }
 
-    /// In a triangular plate the edge along an axis is where the sloping side is.
+    /// In a triangular plate and in one that is turned all distances are the least ones: the
+    /// same as in the plate that is not turned.
     #[test]
-    fn the_room_of_a_hole_in_a_triangle() {
-        let outline = [[0.0, 0.0], [200.0, 0.0], [0.0, 300.0]];
-        let plates = [Block::triangles(1, [-5.0, 5.0], &outline)];
+    fn the_room_of_a_hole_in_an_oblique_plate() {
+        let hole = |p: [f64; 3]| Hole { base: p, axis: 1, ..hole(0.0, 0.0, 0.0) };
+        let outline = vec![[0.0, 0.0], [200.0, 0.0], [0.0, 300.0]];
+        let blocks = Block::triangles(1, [-5.0, 5.0], &outline);
+        let whole = Block { axis: 1, span: [-5.0, 5.0], polygon: outline };
+        // a cut 20 mm beside the hole
+        let cuts = vec![[[80.0, 90.0], [-9.0, 9.0], [30.0, 90.0]]];
+        let plate = Plate { blocks, oblique: Some(Oblique { whole, cuts }) };
         // the axes after y are z and x
-        let found = room([60.0, 0.0, 40.0], 1, &plates, &[]).expect("inside").edge;
-        let near = |a: f64, b: f64| (a - b).abs() < 1e-9;
-        assert!(near(found[0][0], 60.0) && near(found[0][1], 180.0), "{found:?}");
-        assert!(near(found[1][0], 40.0) && near(found[1][1], 120.0), "{found:?}");
+        let holes = [hole([60.0, 0.0, 40.0]), hole([30.0, 0.0, 80.0])];
+        let found = room([60.0, 0.0, 40.0], 1, &[plate], &holes).expect("inside");
+        assert!(found.oblique);
+        assert!((found.edge[0][0] - 20.0).abs() < 1e-9 && found.edge[0] == found.edge[1]);
+        assert!((found.pitch[1][0] - 50.0).abs() < 1e-9, "{found:?}");
+        let turn = crate::assembly::turn::Turn { axis: 1, angle: 0.5, at: [0.0; 3] };
+        let bar = Block::of(&[[0.0, 200.0], [-5.0, 5.0], [0.0, 80.0]], 1).turned(&turn);
+        let oblique = Some(Oblique { whole: bar.clone(), cuts: vec![] });
+        let plate = Plate { blocks: vec![bar], oblique };
+        let at = turn.point([40.0, 0.0, 35.0]);
+        let found = room(at, 1, &[plate], &[]).expect("inside");
+        assert!((found.edge[0][1] - 35.0).abs() < 1e-9, "{found:?}");
+    }
+
+    fn boxes(blocks: Vec<Block>) -> Plate {
+        Plate { blocks, oblique: None }
     }
 
     /// A hole in the next row on the other side counts in the direction that it is nearer to.
@@ -216,8 +306,8 @@ mod tests {
     fn staggered_holes_are_neighbours_in_one_direction() {
         let plate = [[0.0, 15.0], [-100.0, 100.0], [0.0, 200.0]];
         let holes = [hole(15.0, 0.0, 50.0), hole(15.0, 30.0, 90.0)];
-        let found =
-            room([7.5, 0.0, 50.0], 0, &[vec![Block::of(&plate, 2)]], &holes).expect("inside");
+        let found = room([7.5, 0.0, 50.0], 0, &[boxes(vec![Block::of(&plate, 2)])], &holes)
+            .expect("inside");
         assert_eq!(found.pitch, [[f64::INFINITY; 2], [f64::INFINITY, 40.0]]);
     }
 }

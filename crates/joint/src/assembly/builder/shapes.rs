@@ -27,6 +27,19 @@ pub(super) struct Shape<'a> {
 }
 
 impl Shape<'_> {
+    /// Each of its plates before anything is cut out of it, where it is turned or has an outline.
+    pub fn uncut(&self) -> Vec<Option<Block>> {
+        let turned = |x: &Extent| self.turn.map(|t| Block::of(x, t.axis).turned(&t));
+        match &self.body {
+            Body::Profile(_, placed) => placed.blocks().iter().map(turned).collect(),
+            Body::Cuboid(x) => vec![turned(x)],
+            Body::Prism(p) => {
+                let whole = p.block();
+                vec![Some(self.turn.map_or_else(|| whole.clone(), |t| whole.turned(&t)))]
+            }
+        }
+    }
+
     /// Its plates: the box or prism, or each flange and the web. Each is the blocks that cuts leave
     /// of it.
     pub fn plates(&self) -> Vec<Vec<Block>> {
@@ -209,9 +222,8 @@ impl Context<'_> {
             let drawn = match (&shape.turn, &shape.body) {
                 (None, Body::Profile(..) | Body::Cuboid(_)) => Vec::new(),
                 // an outline stays one, for drawings
-                (turn, Body::Prism(p)) if shape.cuts.is_empty() => {
-                    let whole = p.block();
-                    vec![turn.map_or_else(|| whole.clone(), |t| whole.turned(&t))]
+                (_, Body::Prism(_)) if shape.cuts.is_empty() => {
+                    shape.uncut().into_iter().flatten().collect()
                 }
                 _ => shape.plates().into_iter().flatten().collect(),
             };

@@ -195,3 +195,33 @@ fn clearance_too_small_gives_reason_and_numbers() {
     // pitch of 90 mm minus the width across flats of 27 mm
     assert!(m.len() == 1 && m[0].0 == "geometry/clearance" && m[0].1.contains("63.0 mm"), "{m:?}");
 }
+
+/// A sloping flange on an end plate leaves an open corner beside its contact, at any slope: that is
+/// no gap. A plate 0.4 mm away from another one is, also where the two meet at an end.
+#[test]
+fn an_open_corner_beside_a_contact_is_no_gap() {
+    let spec = include_str!("../../../../../examples/haunched_eaves/joint.yaml");
+    for slope in ["0.5", "4", "7", "8.5", "12", "15", "22", "-6"] {
+        let rows = "plate: {thickness: 25}";
+        let spec = spec.replace("plate: {thickness: 25, z: [-421, 500]}", rows);
+        let spec = spec.replace("[-320, 230, 330, 456]", "[-320, 230, 330]");
+        let spec = spec.replace("slope: 6 deg", &format!("slope: {slope} deg"));
+        let joint = crate::assembly::tests::ok(&spec);
+        let found = check(&joint.assembly, &|| false).expect("not stopped");
+        assert!(found.is_ok(), "{slope}: {found:#?}");
+    }
+    let mut joint = lap_joint();
+    let block = |min: [f64; 3], max: [f64; 3]| Solid::Box { min, max };
+    joint.parts.truncate(2);
+    joint.interfaces.clear();
+    joint.clearances.clear();
+    // an L that touches at its foot and leaves a slot of 0.4 mm above it
+    let foot = block([-40.0, -30.0, -10.0], [40.0, 30.0, 0.0]);
+    let wall = block([20.4, -30.0, 0.0], [40.0, 30.0, 50.0]);
+    let stud = block([0.0, -30.0, 0.0], [20.0, 30.0, 50.0]);
+    (joint.parts[0].convex, joint.parts[0].solid) = (vec![stud.clone()], stud);
+    joint.parts[1].convex = vec![foot.clone(), wall.clone()];
+    joint.parts[1].solid = Solid::Union(vec![foot, wall]);
+    let faults = check(&joint, &|| false).expect("not stopped").expect_err("a slot");
+    assert!(format!("{faults:?}").contains("0.400"), "{faults:#?}");
+}
