@@ -281,15 +281,14 @@ fn a_grade_without_quotes_reads_the_same_everywhere() {
 }
 
 #[test]
-fn haunches_and_slopes_are_named_as_of_a_later_edition() {
+fn skewed_and_tapered_members_are_named_as_of_a_later_edition() {
     for (old, new) in [
-        ("\nplate:", "\nhaunch: {length: 500}\nplate:"),
-        ("plate: {", "plate: {slope: 5, "),
-        ("beam: {", "beam: {inclination: 5, "),
-        ("\nplate:", "\nparameters: {haunch_depth: 200}\nplate:"),
-        ("\nplate:", "\nparameters: {roof_angle: 6}\nplate:"),
-        ("template: beam_to_column_end_plate", "template: haunched_end_plate"),
-        ("members: {", "members: {haunch: {profile: IPE300, steel: S235}, "),
+        ("\nplate:", "\ntaper: {length: 500}\nplate:"),
+        ("plate: {", "plate: {skew: 5, "),
+        ("beam: {", "beam: {tapered: 5, "),
+        ("\nplate:", "\nparameters: {skew_angle: 6}\nplate:"),
+        ("template: beam_to_column_end_plate", "template: tapered_end_plate"),
+        ("members: {", "members: {taper: {profile: IPE300, steel: S235}, "),
     ] {
         let answer = Answer::to(&COLUMN.replacen(old, new, 1));
         assert_eq!(answer.code, 2, "{new}: {}", answer.said);
@@ -297,7 +296,7 @@ fn haunches_and_slopes_are_named_as_of_a_later_edition() {
     }
     let readme = Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md");
     let readme = std::fs::read_to_string(readme).expect("README.md");
-    assert!(readme.contains("haunch"), "README.md says that haunches are not in this edition");
+    assert!(readme.contains("tapered members are not in this edition"));
 }
 
 /// A row of an own table with dimensions alone: HEB200 of EN 10365 by another name gives the same
