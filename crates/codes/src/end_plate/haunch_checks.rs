@@ -30,8 +30,7 @@ fn assumed() -> [Check; 2] {
     let tip = "a butt weld as strong as the flange joins it to the flange of the beam; it is not \
                checked";
     let held = "between plate and tip, and at the tip, so that they do not buckle sideways; \
-     lateral \
-                torsional buckling of the beam is not checked here";
+                lateral torsional buckling of the beam is not checked here";
     let of = |topic, part, clause, id, why: &'static str| {
         Check::assumption(topic, part, clause, id, why)
     };

@@ -203,9 +203,8 @@ fn joint_edges(of: &Sheet, other: &Sheet, assembly: &Assembly) -> Vec<[[f64; 3];
 }
 
 /// The same for sheets of any direction: the sides of the rectangle, in the plane of the first,
-/// round
-/// what of the other one is in its thickness, without those on its own border. Sheets of two parts
-/// with a contact between them are taken as open.
+/// round what of the other one is in its thickness, without those on its own border. Sheets of two
+/// parts with a contact between them are taken as open.
 fn oblique_edges(of: &Sheet, other: &Sheet, assembly: &Assembly) -> Vec<[V3; 2]> {
     let between = |i: &&InterfaceRule| {
         of.part != other.part && i.between.contains(&of.part) && i.between.contains(&other.part)

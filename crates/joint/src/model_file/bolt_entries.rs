@@ -2,7 +2,7 @@
 
 use crate::assembly::Assembly;
 use crate::assembly::assembly::{Grip, Ply, Section, SymmetryPlane};
-use crate::assembly::axes::across;
+use crate::assembly::axes::{across, unit};
 use crate::strength::{BoltLimits, DesignStrengths};
 use bracket_engine::mesh::TetMesh;
 use bracket_engine::model::file::{CutEntry, ResultantLimitEntry};
@@ -70,6 +70,11 @@ impl Bolt<'_> {
         across(along).into_iter().enumerate().filter(|(_, k)| !self.halving.contains(k))
     }
 
+    /// Unit vectors of the open axes.
+    fn open_directions(&self) -> Vec<[f64; 3]> {
+        self.open().map(|(_, k)| unit(k)).collect()
+    }
+
     fn limit(&self, out: &mut Limits, name: String, cuts: [&[&Section]; 2], set: Set) {
         let [cuts, minus] = cuts.map(|c| c.iter().map(|s| s.name.clone()).collect());
         let Set { along, across, at_most } = set;
@@ -89,8 +94,7 @@ impl Bolt<'_> {
         let tension = punching.min(bolt.tension);
         self.limit(out, name(pull), here, Set::along(grip.axis, tension));
         let ratio = bolt.shear / (bolt.interaction * bolt.tension);
-        let unit = |k: usize| std::array::from_fn(|d| f64::from(u8::from(d == k)));
-        let across: Vec<[f64; 3]> = self.open().map(|(_, k)| unit(k)).collect();
+        let across = self.open_directions();
         if !across.is_empty() {
             let shear = |along| Set { along, across: across.clone(), at_most: bolt.shear };
             self.limit(out, name("shear"), here, shear([0.0; 3]));
@@ -113,8 +117,7 @@ impl Bolt<'_> {
         if room.is_some_and(|r| r.oblique) {
             // the least of all directions, for the resultant
             let least = resistances.as_flattened().iter().copied().fold(f64::INFINITY, f64::min);
-            let unit = |k: usize| std::array::from_fn(|d| f64::from(u8::from(d == k)));
-            let across: Vec<[f64; 3]> = self.open().map(|(_, k)| unit(k)).collect();
+            let across = self.open_directions();
             let needed = !outer || least < self.bolt.shear;
             if needed && !across.is_empty() {
                 let name = format!("{} in bearing on {ply}", self.grip.part);

@@ -67,9 +67,8 @@ fn the_tip_of_a_haunch_is_in_equilibrium_with_the_plate() {
 }
 
 /// Fillet welds of inclined flanges take F/cos by the directional method with their sharper
-/// angle ψ =
-/// 90° − θ: σ⊥ = F sin(ψ/2)/a, τ⊥ = F cos(ψ/2)/a. By hand for IPE300 at 6° with a haunch as deep
-/// again, z_f between the middles of the flanges along the plate.
+/// angle ψ = 90° − θ: σ⊥ = F sin(ψ/2)/a, τ⊥ = F cos(ψ/2)/a. By hand for IPE300 at 6° with a haunch
+/// as deep again, z_f between the middles of the flanges along the plate.
 #[test]
 fn clause_4_5_3_2_welds_of_inclined_flanges() {
     let catalog = Catalog::builtin().expect("the shipped catalogue is sound");
