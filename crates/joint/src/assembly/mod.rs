@@ -19,6 +19,7 @@ mod expected_parts;
 pub mod extent;
 mod facts;
 mod family_values;
+pub mod foundation;
 mod given;
 pub mod hole;
 pub mod inputs;
@@ -53,6 +54,7 @@ pub use cover_splice::{CoverPlate, CoverSplice, InnerCovers, SpliceUse, SplicedM
 pub use end_plate::{ColumnSide, EndPlate, UnseenLoad};
 pub use error::AssemblyError;
 pub use facts::Facts;
+pub use foundation::Foundation;
 pub use joint::{Joint, LoadedTemplate, build, build_from, given_names, names};
 pub use rafter::{Haunch, Rafter};
 pub use simple_joint::{Notch, SimpleJoint, SimpleKind, Support, SupportElement};
