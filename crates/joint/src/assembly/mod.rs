@@ -33,6 +33,7 @@ pub mod part;
 pub mod rafter;
 pub mod scope;
 mod seen_bolts;
+pub mod shaped;
 pub mod sheets;
 mod simple_entry;
 pub mod simple_joint;
