@@ -46,6 +46,11 @@ pub struct Walls {
 }
 
 impl PlacedShape<'_> {
+    /// True if its walls are no plates.
+    pub fn is_round(&self) -> bool {
+        matches!(self.profile.shape, Shape::Chs { .. })
+    }
+
     /// Axis across the depth.
     fn width(&self) -> usize {
         3 - self.along - self.depth
@@ -127,7 +132,7 @@ impl PlacedShape<'_> {
                 // counter-clockwise from the upper toe along the back to the lower one, and
                 // inside back up
                 let mut corners = vec![half[0], half[1], lower(&half[1]), lower(&half[0])];
-                corners.extend([half[5], half[4]].iter().map(|c| lower(c)));
+                corners.extend([half[5], half[4]].iter().map(lower));
                 corners.push((lower(&half[3]).0, None));
                 corners.push((lower(&half[2]).0, half[3].1.map(|a| [a[0], -a[1]])));
                 corners.extend([half[2], half[3], half[4], half[5]]);

@@ -223,16 +223,15 @@ impl ShapedProfile {
 
     /// Reads all rows of a table, whose columns tell the kind.
     pub(super) fn read(table: &RawTable) -> Result<Vec<Self>, CatalogError> {
-        let (columns, shape): (_, fn(&Row<'_>) -> Result<Shape, CatalogError>) =
-            if table.has("tan_alpha") {
-                (Self::ANGLES, angle)
-            } else if table.has("flange_slope_percent") {
-                (Self::CHANNELS, channel)
-            } else if table.has("d_mm") {
-                (Self::CIRCULAR, circular)
-            } else {
-                (Self::RECTANGULAR, rectangular)
-            };
+        let (columns, shape): (_, ReadShape) = if table.has("tan_alpha") {
+            (Self::ANGLES, angle)
+        } else if table.has("flange_slope_percent") {
+            (Self::CHANNELS, channel)
+        } else if table.has("d_mm") {
+            (Self::CIRCULAR, circular)
+        } else {
+            (Self::RECTANGULAR, rectangular)
+        };
         table.check(columns)?;
         let filled = |row: &Row<'_>, column: &str| match table.has(column) {
             true => row.positive_or_empty(column),
@@ -260,6 +259,9 @@ impl ShapedProfile {
         table.rows().map(of).collect()
     }
 }
+
+/// Reads the dimensions of a row.
+type ReadShape = fn(&Row<'_>) -> Result<Shape, CatalogError>;
 
 fn angle(row: &Row<'_>) -> Result<Shape, CatalogError> {
     let (h, b, t) = (row.positive("h_mm")?, row.positive("b_mm")?, row.positive("t_mm")?);

@@ -126,6 +126,12 @@ fn convex_pieces(shape: &Shape<'_>, holes: &[Hole]) -> Vec<Solid> {
             let left = without(*x, &shape.cuts);
             left.into_iter().flat_map(|x| perforated(x, holes)).collect()
         }
+        (None, Body::Shaped(_, placed)) => {
+            let cut =
+                |left: Vec<_>, c| left.iter().flat_map(|b: &block::Block| b.minus(c)).collect();
+            let left = shape.cuts.iter().fold(placed.blocks(), cut);
+            left.iter().flat_map(|b| around_holes(b, holes)).collect()
+        }
         (Some(turn), Body::Shaped(_, placed)) if holes.is_empty() && shape.cuts.is_empty() => {
             placed.blocks().iter().map(|b| turn.solid(&b.solid())).collect()
         }

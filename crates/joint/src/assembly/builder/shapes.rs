@@ -34,10 +34,10 @@ impl Shape<'_> {
         let turned = |x: &Extent| self.turn.map(|t| Block::of(x, t.axis).turned(&t));
         match &self.body {
             Body::Profile(_, placed) => placed.blocks().iter().map(turned).collect(),
-            Body::Shaped(_, placed) => match self.turn {
-                Some(_) => self.boxes(placed).iter().map(turned).collect(),
-                None => placed.blocks().into_iter().map(Some).collect(),
-            },
+            Body::Shaped(_, placed) if placed.is_round() => {
+                placed.blocks().into_iter().map(Some).collect()
+            }
+            Body::Shaped(_, placed) => self.boxes(placed).iter().map(turned).collect(),
             Body::Cuboid(x) => vec![turned(x)],
             Body::Prism(p) => {
                 let whole = p.block();
@@ -59,10 +59,10 @@ impl Shape<'_> {
         let boxed = |x: &Extent| vec![Block::of(x, axis)];
         let whole = match &self.body {
             Body::Profile(_, placed) => placed.blocks().iter().map(boxed).collect(),
-            Body::Shaped(_, placed) => match self.turn {
-                Some(_) => self.boxes(placed).iter().map(boxed).collect(),
-                None => placed.blocks().into_iter().map(|b| vec![b]).collect(),
-            },
+            Body::Shaped(_, placed) if placed.is_round() => {
+                placed.blocks().into_iter().map(|b| vec![b]).collect()
+            }
+            Body::Shaped(_, placed) => self.boxes(placed).iter().map(boxed).collect(),
             Body::Cuboid(x) => vec![boxed(x)],
             Body::Prism(p) => vec![Block::triangles(p.axis, p.span, &p.outline)],
         };
@@ -261,7 +261,7 @@ impl Context<'_> {
         let mut boxes = Vec::new();
         for shape in shapes {
             let drawn = match (&shape.turn, &shape.body) {
-                (None, Body::Shaped(_, p)) if p.walls().facets.is_empty() => Vec::new(),
+                (None, Body::Shaped(_, p)) if !p.is_round() => Vec::new(),
                 (None, Body::Profile(..) | Body::Cuboid(_)) => Vec::new(),
                 // an outline stays one, for drawings
                 (_, Body::Prism(_)) if shape.cuts.is_empty() => {
