@@ -17,6 +17,7 @@ pub mod error;
 mod evaluate;
 mod expected_parts;
 pub mod extent;
+pub mod facets;
 mod facts;
 mod family_values;
 pub mod foundation;

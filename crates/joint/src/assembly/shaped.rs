@@ -5,9 +5,9 @@ use super::assembly::{MidPlane, OutlineEdge, Solid};
 use super::axes::unit;
 use super::block::{Block, twice_area};
 use super::extent::Extent;
+use super::facets::{flatten_outline, polygon_radius, regular_polygon};
 use super::turn::Turn;
 use crate::catalog::{Shape, ShapedProfile};
-use crate::geometry::flat::{FlatSolid, polygon_radius};
 use bracket_base::math::vec3::V3;
 use std::f64::consts::{PI, TAU};
 
@@ -157,16 +157,14 @@ impl PlacedShape<'_> {
 
     /// Corners of the meshed outline of a solid of [`Self::solids`] in space.
     fn polygon(&self, solid: &Solid) -> Vec<[f64; 2]> {
-        let flat = FlatSolid::from_solid(solid);
-        let (i, j) = ((self.along + 1) % 3, (self.along + 2) % 3);
-        let of = |p: &&crate::geometry::flat::FlatPrism| {
-            let place = |q: &[f64; 2]| {
-                let x = p.point(*q, 0.0);
-                [x[i], x[j]]
-            };
-            p.polygon.iter().map(place).collect()
+        // both have their corners on the next two axes
+        let corners = match solid {
+            Solid::Prism { start, edges, .. } => flatten_outline(*start, edges),
+            Solid::Cylinder { radius, segments, .. } => regular_polygon(*radius, *segments),
+            Solid::Box { .. } | Solid::Union(_) | Solid::Difference(_) => Vec::new(),
         };
-        flat.prisms().first().map(of).unwrap_or_default()
+        let [i, j] = [1, 2].map(|k| self.origin[(self.along + k) % 3]);
+        corners.into_iter().map(|[u, v]| [i + u, j + v]).collect()
     }
 
     /// Convex blocks along the member that fill the section exactly as it is meshed.

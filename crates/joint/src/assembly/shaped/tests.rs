@@ -3,6 +3,7 @@
 use super::*;
 use crate::assembly::block::twice_area;
 use crate::catalog::{Catalog, SectionKind};
+use crate::geometry::flat::FlatSolid;
 
 fn placed(profile: &ShapedProfile, along: usize, depth: usize) -> PlacedShape<'_> {
     let (span, origin) = ([0.0, 10.0], [0.0; 3]);
