@@ -224,6 +224,7 @@ impl AxisFrame {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::assembly::assembly::OutlineEdge;
 
     fn area(polygon: &[[f64; 2]]) -> f64 {
         let n = polygon.len();
