@@ -255,7 +255,7 @@ fn wrong_sections_are_refused() {
     };
     let turned = "        turn: {about: y, by: 10 deg}\n";
     for (said, words) in [
-        (with("RHS120x80x6", "[i]", "", ""), "members are I or H sections"),
+        (with("RHS120x80x6", "[i]", "", ""), "this member takes I and H sections"),
         (with("L100x10", "[rhs, chs]", "", ""), "L100x10 is an angle"),
         (with("L100x10", "[rhs, chs]", "", ""), "rectangular hollow section or a circular"),
         (with("CHS114x6", ANY, "", ""), "CHS114.3x6.3"),

@@ -88,7 +88,7 @@ impl Catalog {
             CatalogError::Unknown { noun, kind, name, .. }
                 if self::name::is_no_i_section(&name) =>
             {
-                let hint = ": members are I or H sections, hot rolled".into();
+                let hint = ": this member takes I and H sections, hot rolled".into();
                 CatalogError::Unknown { noun, kind, name, hint }
             }
             other => other,
@@ -105,6 +105,11 @@ impl Catalog {
             Err(_) if self::name::is_no_i_section(name) => Err(self.shaped.unknown(name)),
             Err(e) => Err(e),
         }
+    }
+
+    /// The angle, channel or hollow section with this name.
+    pub fn shaped_section(&self, name: &str) -> Result<&ShapedProfile, CatalogError> {
+        self.shaped.get(name)
     }
 
     /// All angles, channels and hollow sections, in the order of the files.

@@ -35,6 +35,11 @@ impl SectionKind {
         (Self::Chs, "chs", "a circular hollow section"),
     ];
 
+    /// The kind without its article.
+    pub fn noun(self) -> &'static str {
+        self.words().split_once(' ').map_or("", |(_, noun)| noun)
+    }
+
     /// The kind in a message, with its article.
     pub fn words(self) -> &'static str {
         Self::ALL.iter().find(|k| k.0 == self).map_or("", |k| k.2)
@@ -312,8 +317,8 @@ fn circular(row: &Row<'_>) -> Result<Shape, CatalogError> {
 }
 
 impl Entry for ShapedProfile {
-    const NOUN: &'static str = "profile";
-    const KIND: &'static str = "profiles";
+    const NOUN: &'static str = "section";
+    const KIND: &'static str = "sections";
     const SIZED: bool = true;
     fn name(&self) -> String {
         self.name.clone()
