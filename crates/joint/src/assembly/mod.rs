@@ -20,7 +20,6 @@ pub mod extent;
 pub mod facets;
 mod facts;
 mod family_values;
-pub mod foundation;
 mod given;
 pub mod hole;
 pub mod inputs;
@@ -56,7 +55,6 @@ pub use cover_splice::{CoverPlate, CoverSplice, InnerCovers, SpliceUse, SplicedM
 pub use end_plate::{ColumnSide, EndPlate, UnseenLoad};
 pub use error::AssemblyError;
 pub use facts::Facts;
-pub use foundation::Foundation;
 pub use joint::{Joint, LoadedTemplate, build, build_from, given_names, names};
 pub use rafter::{Haunch, Rafter};
 pub use simple_joint::{Notch, SimpleJoint, SimpleKind, Support, SupportElement};
