@@ -94,11 +94,12 @@ fn mechanism(
         Some([bodies, ..]) if bodies < LITTLE => {
             // the remaining plastic flow is rounding error and is not drawn
             densities.fill(0.0);
-            "welds, slip and limited forces dissipate all, the parts do not flow".into()
+            "welds, slip, ground and limited forces dissipate all, the parts do not flow".into()
         }
-        Some([bodies, welds, supports, ties, limits]) => {
+        Some([bodies, welds, supports, ties, ground, limits]) => {
             let others = [
                 (welds, "in welds"),
+                (ground, "in crushed ground"),
                 (supports, "by slip on supports"),
                 (ties, "by slip between bodies"),
                 (limits, "at limited forces"),
@@ -163,11 +164,11 @@ fn limiting(
     Some(Ok((pictures, caption)))
 }
 
-/// Shares of bodies, welds, slip on supports, slip along ties and resultant limits in the
-/// dissipation of a mechanism; `None` if nothing dissipates.
-fn shares_of(pass: &LimitPass) -> Option<[f64; 5]> {
+/// Shares of bodies, welds, slip on supports, slip along ties, crushed ground and resultant limits
+/// in the dissipation of a mechanism; `None` if nothing dissipates.
+fn shares_of(pass: &LimitPass) -> Option<[f64; 6]> {
     let c = pass.upper.as_ref()?.certificate();
-    let each = [&c.dissipation, &c.welds, &c.supports, &c.ties, &c.resultants];
+    let each = [&c.dissipation, &c.welds, &c.supports, &c.ties, &c.ground, &c.resultants];
     let shares = each.map(|d| d.iter().sum::<f64>());
     let total: f64 = shares.iter().sum();
     (total > 0.0).then(|| shares.map(|d| d / total))

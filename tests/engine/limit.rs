@@ -2,6 +2,7 @@
 //! literature, and of random assemblies.
 mod bracketed;
 mod coulomb;
+mod crushing;
 mod exact;
 mod hard;
 mod hinges;

@@ -103,6 +103,7 @@ pub fn model_file(
         law: None,
         mu: None,
         gap: None,
+        strength: None,
         friction: None,
     };
     let mut supports: Vec<SupportEntry> = assembly

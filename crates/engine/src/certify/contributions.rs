@@ -15,7 +15,6 @@
 //! # Source
 //! Ladevèze and Pelle; section 4.1 of the paper, equations (11) and (12).
 
-use crate::certify::cut_limits;
 use crate::certify::faces::{
     ContactFace, InterfaceFace, TieFace, WeldFace, contact_faces, roles, tie_faces, weld_faces,
 };
@@ -29,6 +28,7 @@ use crate::certify::tractions::contact_tractions;
 use crate::certify::velocity_field::VelocityField;
 use crate::certify::velocity_field::pieces;
 use crate::certify::welds;
+use crate::certify::{crushing, cut_limits};
 use crate::elements::space::Tet10Space;
 use crate::elements::super_element::{PointStress, integrate};
 use crate::elements::tet10;
@@ -163,9 +163,11 @@ pub fn limit_contributions(model: &AnalysisModel, pair: &LimitPair) -> Contribut
             (dissipation - power.value()) / live_power
         })
         .collect();
-    let mut contacts = contact_work(model, &space, &v.nodes, s, Loads::at(factor), false);
-    let mut welds = weld_work(model, &space, &v.nodes, s, Loads::at(factor));
     let u = &v.nodes.u;
+    let mut contacts = contact_work(model, &space, &v.nodes, s, Loads::at(factor), false);
+    let crushed = crushing::dissipations_of_faces(model, &space, u);
+    contacts.iter_mut().zip(crushed).for_each(|(work, crushed)| *work += crushed);
+    let mut welds = weld_work(model, &space, &v.nodes, s, Loads::at(factor));
     let slip = |f: &SlipFace| f.dissipation(&space, u) + f.power(model, &space, s, u);
     let mut slips: Vec<f64> = slip_faces(model).iter().map(slip).collect();
     let tie = |f: &TieFace<'_>| {

@@ -28,11 +28,11 @@ pub struct FreeMechanism {
     pub certificate: UpperCertificate,
 }
 
-/// Certifies velocities as a mechanism at zero load: an upper bound with every body and every weld
-/// rigid, nothing dissipates. A jump at a weld or a tie over the largest velocity counts among the
-/// strains of rigid bodies.
+/// Certifies velocities as a mechanism at zero load: an upper bound with every body, every weld and
+/// the ground rigid, nothing dissipates. A jump at a weld or a tie over the largest velocity counts
+/// among the strains of rigid bodies.
 pub fn certify_free(model: &AnalysisModel, field: &VelocityField) -> UpperCertificate {
-    let mut rigid = model.clone();
+    let mut rigid = model.on_rigid_ground();
     rigid.materials.iter_mut().for_each(|m| m.fy = None);
     rigid.welds.clear();
     rigid.ties.clear();

@@ -1,19 +1,19 @@
 //! Certificates of load factors, computed from the stored field and the model alone.
 //!
 //! Lower bound: a stress field in equilibrium with `factor · live + dead`, inside yield surface and
-//! friction cones. Upper bound: velocities that keep the volume and satisfy supports and contact
-//! law; the factor is `(dissipation − power of dead loads) / power of live loads`. The dissipation
-//! includes that of slip on held faces ([`crate::certify::slip`]) and along ties
-//! ([`crate::certify::ties`]), and the cost of motions across cuts whose resultants are limited
-//! ([`crate::certify::cut_limits`]). In limit analysis initial gaps
-//! count as closed, and bodies without a yield strength are rigid.
+//! friction cones, with no pressure above the strength of ground that crushes. Upper bound:
+//! velocities that keep the volume and satisfy supports and contact law; the factor is
+//! `(dissipation − power of dead loads) / power of live loads`. The dissipation includes that of
+//! slip on held faces ([`crate::certify::slip`]) and along ties ([`crate::certify::ties`]), that of
+//! ground that crushes ([`crate::certify::crushing`]), and the cost of motions across cuts whose
+//! resultants are limited ([`crate::certify::cut_limits`]). In limit analysis initial gaps count as
+//! closed, and bodies without a yield strength are rigid.
 //!
 //! Equations hold to rounding only. An exactly admissible stress or velocity lies nearby; its
 //! distance, estimated from the residuals, is the `cover` of the certificate. A bound must include
 //! this allowance.
 
 use crate::certify::certificate::{add_work, certify_stress};
-use crate::certify::cut_limits;
 use crate::certify::dissipation::mean_norm;
 use crate::certify::faces::{contact_faces, weld_faces};
 use crate::certify::fields::StressField;
@@ -25,6 +25,7 @@ use crate::certify::velocity_field::Piece;
 use crate::certify::velocity_field::VelocityField;
 use crate::certify::velocity_field::pieces;
 use crate::certify::welds;
+use crate::certify::{crushing, cut_limits};
 use crate::elements::space::{FACE_EDGES, Tet10Space};
 use crate::elements::tet10;
 use crate::model::AnalysisModel;
@@ -60,6 +61,8 @@ pub struct LowerCertificate {
     pub weld: Option<f64>,
     /// Largest utilisation of a resultant limit; `None` without limits.
     pub resultant: Option<f64>,
+    /// Largest pressure on crushing ground over its strength; `None` without such ground.
+    pub ground: Option<f64>,
     /// Allowance for the residuals, as a utilisation: a field in exact equilibrium differs by no
     /// more.
     pub cover: f64,
@@ -69,9 +72,10 @@ pub struct LowerCertificate {
 }
 
 impl LowerCertificate {
-    /// Largest utilisation of yield surfaces, welds and resultant limits; NaN if one of them is.
+    /// Largest utilisation of yield surfaces, welds, resultant limits and crushing ground; NaN if
+    /// one of them is.
     pub fn worst(&self) -> f64 {
-        let others = [self.weld, self.resultant].into_iter().flatten();
+        let others = [self.weld, self.resultant, self.ground].into_iter().flatten();
         others.fold(self.utilisation, |worst, u| if u.is_nan() || u > worst { u } else { worst })
     }
 }
@@ -89,7 +93,7 @@ pub struct UpperCertificate {
     /// that of the jump; across cuts the difference from the motions of the limits.
     pub compatibility: f64,
     /// Largest violation of the contact law by a Bernstein coefficient / max |u|; `None` without
-    /// contact.
+    /// contact, or where all ground crushes.
     pub contact: Option<f64>,
     /// Smallest margin `g_N − μ‖g_T‖` of a Bernstein coefficient \[mm per unit of time\]; `None`
     /// without contact.
@@ -102,6 +106,9 @@ pub struct UpperCertificate {
     pub supports: Vec<f64>,
     /// Dissipation of the slip along each tie, an upper bound \[N mm per unit of time\].
     pub ties: Vec<f64>,
+    /// Dissipation of each contact with the ground, an upper bound; empty without crushing ground
+    /// \[N mm per unit of time\].
+    pub ground: Vec<f64>,
     /// Cost of the motion of each resultant limit \[N mm per unit of time\].
     pub resultants: Vec<f64>,
     /// Power of the live loads \[N mm per unit of time\]; 0 where it is rounding.
@@ -155,7 +162,9 @@ pub fn hidden_at(model: &AnalysisModel, stress: f64, residual: f64) -> f64 {
     // element deep with the lever arm L
     let limits = model.resultant_limits.iter().map(|l| model.mean_strength(l));
     let welds = model.welds.iter().map(|w| w.strength);
-    let strengths = model.yield_radii().into_iter().flatten().chain(welds).chain(limits);
+    let ground = model.ground.iter().filter_map(|g| g.strength);
+    let interfaces = welds.chain(limits).chain(ground);
+    let strengths = model.yield_radii().into_iter().flatten().chain(interfaces);
     let weakest = strengths.fold(f64::INFINITY, f64::min);
     6.0 * slenderness(model).powi(2) * residual * stress / weakest
 }
@@ -179,6 +188,7 @@ pub fn certify_lower(model: &AnalysisModel, field: &StressField, factor: f64) ->
         limiting_part: tet.map(|e| model.tet_part[e]),
         weld: base.weld,
         resultant: largest_of_each(&cut_limits::utilisations(model, field)),
+        ground: largest_of_each(&crushing::utilisations(model, field, Loads::at(factor))),
         cover: hidden_utilisation(model, field, residual),
         scaled_by: 1.0,
     }
@@ -295,9 +305,10 @@ pub fn certify_upper(
     let welds = welds::dissipations(model, u);
     let supports = slip::dissipations(model, &space, u);
     let ties = ties::dissipations(model, &space, u);
+    let ground = crushing::dissipations(model, &space, u);
     let resultants = cut_limits::costs(model, field);
-    let interfaces = welds.iter().chain(&supports).chain(&ties).chain(&resultants).copied();
-    let total = Sum::of(dissipation.iter().map(|d| d.value()).chain(interfaces));
+    let interfaces = [&welds, &supports, &ties, &ground, &resultants].into_iter().flatten();
+    let total = Sum::of(dissipation.iter().map(|d| d.value()).chain(interfaces.copied()));
     // the flow that removes a volume change is larger by the inf-sup constant, about 10 in a
     // compact body and more in a slender one; every other residual moves a neighbouring element in
     // the same way
@@ -312,7 +323,8 @@ pub fn certify_upper(
         Sum::of(weld_faces(model).iter().map(|f| f.law.strength * f.normal(model).1));
     let slip_capacity = slip::capacity(model, &space, u) + ties::capacity(model, &space, u);
     let limits = Sum::of(model.resultant_limits.iter().map(|l| l.at_most));
-    let capacity = capacity / smallest + weld_capacity + slip_capacity + limits;
+    let interfaces = weld_capacity + slip_capacity + crushing::capacity(model) + limits;
+    let capacity = capacity / smallest + interfaces;
     let hidden = 10.0 * slenderness(model) * residual * capacity;
     let rounding = 1e-13 * (total + dead.value().abs());
     // a motion on which the loads do no work has rounding in their direction, which proves nothing
@@ -329,6 +341,7 @@ pub fn certify_upper(
         welds,
         supports,
         ties,
+        ground,
         resultants,
         live_power: live,
         dead_power: dead.value(),
@@ -362,9 +375,11 @@ fn live_force(model: &AnalysisModel) -> f64 {
 }
 
 /// Smallest margin `g_N − μ‖g_T‖` of the Bernstein coefficients of all contact faces, each with its
-/// own normal; initial gaps count as closed.
+/// own normal; initial gaps count as closed. Crushing ground yields to any motion.
 fn smallest_margin(model: &AnalysisModel, space: &Tet10Space, u: &[V3]) -> Option<f64> {
-    let margins = contact_faces(model).into_iter().flat_map(|f| {
+    let resisting =
+        contact_faces(model).into_iter().filter(|f| model.crushing_strength(f.of).is_none());
+    let margins = resisting.flat_map(|f| {
         let (n, _) = f.normal(model);
         let a = space.triangle(f.nodes_a);
         let b = f.b.map(|(_, nodes)| space.triangle(nodes));

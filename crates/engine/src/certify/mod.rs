@@ -7,6 +7,7 @@ pub mod certificate;
 pub mod combination;
 pub mod contributions;
 pub mod coulomb_shift;
+pub mod crushing;
 pub mod cut_limits;
 pub mod dissipation;
 pub mod faces;

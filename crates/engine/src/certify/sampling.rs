@@ -74,7 +74,8 @@ pub struct SampledLower {
     pub traction_jump: f64,
     /// Violation of a friction cone by the stress / largest stress of the field.
     pub traction_cone: f64,
-    /// Largest ‖dev σ‖ / (√(2/3) f_y), or traction of a weld over its strength.
+    /// Largest ‖dev σ‖ / (√(2/3) f_y), traction of a weld or pressure on crushing ground over the
+    /// strength.
     pub utilisation: f64,
 }
 
@@ -128,7 +129,13 @@ pub fn sample_lower(
     let traction_cone =
         relative(traction_cones(model, s, Loads::at(factor), points, &mut random), stress);
     let radii = model.yield_radii();
-    let mut utilisation = welds(model, s, points, &mut random);
+    let mut utilisation = welds(model, s, points, &mut random).max(crushing(
+        model,
+        s,
+        Loads::at(factor),
+        points,
+        &mut random,
+    ));
     for _ in 0..points {
         let e = random.index(s.points.len());
         let stress = inside(&s.points[e][random.index(4)], random.tetrahedron());
@@ -244,8 +251,30 @@ fn welds(model: &AnalysisModel, s: &StressField, points: usize, random: &mut Ran
     worst
 }
 
-/// Largest violation of the contact law \[mm\]; with `initial` initial gaps and shifts count,
-/// without it gaps count as closed.
+/// Largest pressure on crushing ground over its strength.
+fn crushing(
+    model: &AnalysisModel,
+    s: &StressField,
+    loads: Loads,
+    points: usize,
+    random: &mut Random,
+) -> f64 {
+    let mut contacts = contact_faces(model);
+    contacts.retain(|f| model.crushing_strength(f.of).is_some());
+    let roles = roles(model, loads);
+    let mut worst = 0.0f64;
+    for _ in 0..points * usize::from(!contacts.is_empty()) {
+        let f = &contacts[random.index(contacts.len())];
+        let r = contact_tractions(model, s, f, roles.get(&(f.a.tet, f.a.local)));
+        let pressure = vec3::dot(at(&r, random.barycentric()), f.normal(model).0);
+        let strength = model.crushing_strength(f.of).unwrap_or(f64::INFINITY);
+        worst = worst.max(pressure / strength);
+    }
+    worst
+}
+
+/// Largest violation of the contact law, none on ground that crushes \[mm\]. With `initial` initial
+/// gaps and shifts count, without it gaps count as closed.
 fn gap_cones(
     model: &AnalysisModel,
     u: &DisplacementField,
@@ -253,7 +282,8 @@ fn gap_cones(
     points: usize,
     random: &mut Random,
 ) -> f64 {
-    let contacts = contact_faces(model);
+    let mut contacts = contact_faces(model);
+    contacts.retain(|f| model.crushing_strength(f.of).is_none());
     let space = Tet10Space::new(&model.mesh);
     let mut worst = 0.0f64;
     for _ in 0..points * usize::from(!contacts.is_empty()) {

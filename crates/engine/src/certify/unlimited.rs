@@ -101,6 +101,8 @@ pub fn certify_unlimited(
             ratio(largest(tractions), size)
         }),
         dead: dead.filter(|_| loaded).map(|d| certify_lower(model, d, 0.0)),
-        unproved: loaded && dead.is_none() || !model.resultant_limits.is_empty(),
+        unproved: loaded && dead.is_none()
+            || !model.resultant_limits.is_empty()
+            || model.has_crushing_ground(),
     }
 }

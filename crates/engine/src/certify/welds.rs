@@ -30,12 +30,18 @@ pub fn coefficients(g: &[V3; 6]) -> impl Iterator<Item = V3> {
 
 /// An upper bound of the mean of `‖g‖` over a triangle, g quadratic with the given values at
 /// vertices and mid-sides.
+pub fn mean_norm(g: &[V3; 6], subdivisions: u32) -> f64 {
+    mean_of(g, subdivisions, &vec3::norm)
+}
+
+/// An upper bound of the mean of a convex function of g over a triangle, g quadratic with the given
+/// values at vertices and mid-sides.
 ///
 /// g is a convex combination of its six Bernstein coefficients, each with a mean weight of 1/6.
 /// Each subdivision applies this to the four triangles that the mid-sides make.
-pub fn mean_norm(g: &[V3; 6], subdivisions: u32) -> f64 {
+pub fn mean_of(g: &[V3; 6], subdivisions: u32, convex: &impl Fn(V3) -> f64) -> f64 {
     if subdivisions == 0 {
-        return coefficients(g).map(vec3::norm).sum::<f64>() / 6.0;
+        return coefficients(g).map(convex).sum::<f64>() / 6.0;
     }
     let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     let middle =
@@ -55,7 +61,7 @@ pub fn mean_norm(g: &[V3; 6], subdivisions: u32) -> f64 {
         let points: [[f64; 3]; 6] = std::array::from_fn(|i| {
             if i < 3 { x[i] } else { middle(x[FACE_EDGES[i - 3][0]], x[FACE_EDGES[i - 3][1]]) }
         });
-        mean_norm(&points.map(at), subdivisions - 1)
+        mean_of(&points.map(at), subdivisions - 1, convex)
     };
     0.25 * parts.iter().map(part).sum::<f64>()
 }

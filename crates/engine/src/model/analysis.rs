@@ -126,6 +126,8 @@ pub struct GroundContact {
     pub name: String,
     /// Its law.
     pub law: ContactLaw,
+    /// Pressure at which the ground crushes, in limit analysis \[MPa\]; `None`: it never does.
+    pub strength: Option<f64>,
     /// Its faces.
     pub faces: Vec<BoundaryFace>,
 }
@@ -172,6 +174,18 @@ pub enum Traction {
     },
     /// `t = −p n` with n the outward normal \[MPa\].
     Pressure(f64),
+}
+
+impl Traction {
+    /// True when it is zero everywhere.
+    pub fn is_zero(&self) -> bool {
+        match self {
+            Traction::Linear { traction0, gradient } => {
+                *traction0 == [0.0; 3] && *gradient == [[0.0; 3]; 3]
+            }
+            Traction::Pressure(p) => *p == 0.0,
+        }
+    }
 }
 
 /// A load on faces.

@@ -2,7 +2,7 @@
 
 use super::analysis::{AnalysisModel, ContactLaw};
 use super::opening::Bernstein;
-use crate::model::FrictionLaw;
+use crate::model::{AnalysisKind, FrictionLaw};
 use bracket_base::math::vec3::V3;
 
 impl ContactLaw {
@@ -24,6 +24,26 @@ impl AnalysisModel {
             Some(i) => &i.law,
             None => &self.ground[contact - self.interfaces.len()].law,
         }
+    }
+
+    /// Pressure at which the ground of a contact crushes \[MPa\]; `None`: between bodies, on ground
+    /// that never crushes, and in analyses other than limit analysis.
+    pub fn crushing_strength(&self, contact: usize) -> Option<f64> {
+        let ground = self.ground.get(contact.checked_sub(self.interfaces.len())?)?;
+        ground.strength.filter(|_| self.analysis == AnalysisKind::Limit)
+    }
+
+    /// True when the ground of some contact crushes.
+    pub fn has_crushing_ground(&self) -> bool {
+        let all = self.interfaces.len()..self.interfaces.len() + self.ground.len();
+        all.into_iter().any(|contact| self.crushing_strength(contact).is_some())
+    }
+
+    /// The model with ground that never crushes.
+    pub fn on_rigid_ground(&self) -> Self {
+        let mut rigid = self.clone();
+        rigid.ground.iter_mut().for_each(|g| g.strength = None);
+        rigid
     }
 
     /// Coefficients of initial gap plus shift of contact face `face` (interfaces first) \[mm\].

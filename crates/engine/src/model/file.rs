@@ -232,6 +232,10 @@ pub struct SupportEntry {
     /// Initial gap to the ground \[mm\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub gap: Option<Gap>,
+    /// Pressure at which the ground crushes, in limit analysis \[MPa\]; without it the ground is
+    /// rigid.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub strength: Option<f64>,
     /// Friction law of the ground.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub friction: Option<FrictionLaw>,

@@ -74,10 +74,10 @@ impl AnalysisModel {
         f
     }
 
-    /// True when some load does not carry the load factor.
+    /// True when some load other than zero does not carry the load factor.
     pub fn has_dead_loads(&self) -> bool {
-        self.surface_loads.iter().any(|l| l.dead)
-            || self.body_loads.iter().any(|l| l.dead)
+        self.surface_loads.iter().any(|l| l.dead && !l.traction.is_zero())
+            || self.body_loads.iter().any(|l| l.dead && l.force != [0.0; 3])
             || self.rigid.iter().any(|r| r.dead_action.iter().any(|a| *a != 0.0))
     }
 
@@ -123,6 +123,15 @@ impl AnalysisModel {
             load.force = scaled(load.force);
         }
         out.rigid.iter_mut().for_each(|r| r.action = r.action.map(|a| factor * a));
+        out
+    }
+
+    /// The model with all strengths multiplied: of materials, welds and crushing ground.
+    pub fn with_strengths_times(&self, part: f64) -> Self {
+        let mut out = self.clone();
+        out.materials.iter_mut().for_each(|m| m.fy = m.fy.map(|fy| part * fy));
+        out.welds.iter_mut().for_each(|w| w.strength *= part);
+        out.ground.iter_mut().for_each(|g| g.strength = g.strength.map(|f| part * f));
         out
     }
 

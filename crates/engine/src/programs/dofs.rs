@@ -18,8 +18,10 @@ pub struct DofMap {
     pub plain: usize,
     /// Number of closures of preloaded cuts; they follow the motions of rigid faces.
     pub closures: usize,
-    /// Number of unknowns of the motions of resultant limits; they are the last unknowns.
+    /// Number of unknowns of the motions of resultant limits; they follow the closures.
     pub motions: usize,
+    /// Number of closings of crushing ground; they are the last unknowns.
+    closings: usize,
     /// Prescribed closures: unknown and value \[mm\].
     pub frozen: Vec<(usize, f64)>,
     /// Block (node, face or rigid motion) of each unknown, for fill-reducing orderings.
@@ -54,12 +56,26 @@ impl DofMap {
 
     /// Number of motions of rigid faces.
     pub fn rigid(&self) -> usize {
-        self.n - self.plain - self.closures - self.motions
+        self.n - self.plain - self.closures - self.motions - self.closings
     }
 
     /// The unknowns of the motions of resultant limits.
     pub fn limit_motions(&self) -> Range<usize> {
-        self.n - self.motions..self.n
+        let end = self.crushing().start;
+        end - self.motions..end
+    }
+
+    /// Appends the closings of crushing ground, each a block of its own.
+    pub fn append_crushing(&mut self, count: usize) {
+        let first = self.block.iter().max().map_or(0, |b| b + 1);
+        self.block.extend(first..first + count as u32);
+        self.n += count;
+        self.closings = count;
+    }
+
+    /// The unknowns of the closings of crushing ground.
+    pub fn crushing(&self) -> Range<usize> {
+        self.n - self.closings..self.n
     }
 
     /// True when full unknown `i` follows others: across a preloaded cut, or along an oblique face

@@ -16,6 +16,7 @@ use crate::model::opening::ConeShift;
 use crate::programs::assemble::assemble;
 use crate::programs::conic::{ConicProgram, Csr};
 use crate::programs::constraints::{FacePoints, hold, working_live_loads};
+use crate::programs::contact::cone;
 use crate::programs::contact::kinematic_contact::ControlPoint;
 use crate::programs::contact::kinematic_contact::control_points;
 use crate::programs::contact::kinematic_contact::points_of_faces;
@@ -170,7 +171,12 @@ impl Kinematic {
     fn build(model: &AnalysisModel, kind: Kind) -> Result<Self, ModelError> {
         let space = Tet10Space::new(&model.mesh);
         let slipping = matches!(kind, Kind::Limit(_) | Kind::AroundRigidBodies);
-        let Numbering { pieces, slips, tied, map, rigid } = numbering(model, &space, slipping)?;
+        let Numbering { pieces, slips, tied, mut map, rigid } = numbering(model, &space, slipping)?;
+        let mut contacts = control_points(model, &space);
+        if !matches!(kind, Kind::Limit(_)) {
+            contacts.iter_mut().for_each(|p| p.crushing = None);
+        }
+        map.append_crushing(contacts.iter().filter(|p| p.crushing.is_some()).count());
         let materials = model.stiffnesses();
         let radii = model.yield_radii();
         // yield radius and kind of element of each tet that may flow
@@ -267,15 +273,20 @@ impl Kinematic {
         };
         program.g.ncols = map.n;
         let mut points = Vec::new();
-        for mut point in control_points(model, &space) {
+        let (mut closings, mut next) = (Vec::new(), map.crushing());
+        for mut point in contacts {
             if limit {
                 point.gap = 0.0;
             }
-            if point.push_cone(&mut program, &map) {
+            let (row, closing) = (program.g.nrows(), point.crushing.and_then(|_| next.next()));
+            let moves = point.push_cone(&mut program, &map, closing);
+            closings.extend(point.crushing.map(|d| (moves.then_some(row), d)));
+            if moves {
                 points.push(point);
             }
         }
         cuts::append_limits(model, &map, &mut program);
+        cone::append_closings(&mut program, &map, &closings);
         map.frozen.iter().for_each(|&(k, closure)| program.freeze(k, closure));
         let (mut own, mut split) = (Vec::new(), Vec::new());
         let tets = model.mesh.tets.len();

@@ -21,6 +21,7 @@ pub mod loads;
 pub mod rigid_motions;
 pub mod slip_face;
 pub mod static_form;
+mod static_mechanism;
 pub mod super_elements;
 pub mod tied_points;
 pub mod weld_face;

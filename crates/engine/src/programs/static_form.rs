@@ -8,7 +8,6 @@
 
 use crate::elements::hencky_static;
 use crate::elements::super_element::{PARAMETERS, SuperElement, TRACTIONS};
-use crate::elements::yielding_element::{NONE, YIELD_ROWS};
 use crate::mesh::TetMesh;
 use crate::mesh::numbering::FaceNumbering;
 use crate::model::ModelError;
@@ -96,6 +95,17 @@ pub struct Static<'a> {
     radii: Vec<Option<f64>>,
 }
 
+/// Kind of static program.
+#[derive(Clone, Copy, PartialEq)]
+enum Kind {
+    /// No body yields, and no ground crushes.
+    Elastic,
+    /// Elastic, perfectly plastic.
+    Plastic,
+    /// Rigid-plastic: nothing is elastic.
+    Limit,
+}
+
 /// The unknowns with what decides on them. `limit`: bodies without a yield strength are rigid.
 fn numbering(
     model: &AnalysisModel,
@@ -117,14 +127,14 @@ impl<'a> Static<'a> {
 
     /// Builds the elastic program: no body yields.
     pub fn new(model: &'a AnalysisModel) -> Result<Self, ModelError> {
-        Self::build(model, vec![None; model.mesh.tets.len()], false)
+        Self::build(model, vec![None; model.mesh.tets.len()], Kind::Elastic)
     }
 
     /// Builds the elastic, perfectly plastic program (Hencky). In bodies with a yield strength the
     /// stress parameters stay unknowns (maximised over), and every point of their linear stress
     /// satisfies von Mises. The other bodies are condensed as in the elastic program.
     pub fn with_plasticity(model: &'a AnalysisModel) -> Result<Self, ModelError> {
-        Self::build(model, radii_of_tets(model), false)
+        Self::build(model, radii_of_tets(model), Kind::Plastic)
     }
 
     /// Builds the same program with the yield condition only in tets for which `yields` is true,
@@ -141,7 +151,11 @@ impl<'a> Static<'a> {
         let of = |(radius, yields): (Option<f64>, &bool)| {
             radius.filter(|_| *yields).map(|r| (1.0 - room) * r)
         };
-        Self::build(model, radii_of_tets(model).into_iter().zip(yields).map(of).collect(), false)
+        Self::build(
+            model,
+            radii_of_tets(model).into_iter().zip(yields).map(of).collect(),
+            Kind::Plastic,
+        )
     }
 
     /// Builds the program of limit analysis: the largest load factor whose loads, together with the
@@ -150,21 +164,28 @@ impl<'a> Static<'a> {
     /// Initial gaps count as closed.
     pub fn limit(model: &'a AnalysisModel) -> Result<Self, ModelError> {
         model.check_limit_analysis()?;
-        Self::build(model, radii_of_tets(model), true)
+        Self::build(model, radii_of_tets(model), Kind::Limit)
     }
 
-    /// `radii`: radius of the yield surface of each tet; `limit`: nothing is elastic.
+    /// `radii`: radius of the yield surface of each tet.
     fn build(
         model: &'a AnalysisModel,
         radii: Vec<Option<f64>>,
-        limit: bool,
+        kind: Kind,
     ) -> Result<Self, ModelError> {
+        let limit = kind == Kind::Limit;
         let counted = if limit { Loads::DEAD } else { Loads::ALL };
         let elements = SuperElements::new(model).under(counted);
-        let (pieces, map, rigid) = numbering(model, &elements.faces, limit)?;
+        let (pieces, mut map, rigid) = numbering(model, &elements.faces, limit)?;
         let radius = |e: usize| radii[e];
         let elastic: Vec<usize> =
             (0..model.mesh.tets.len()).filter(|&e| !limit && radius(e).is_none()).collect();
+        let yields = elastic.len() < model.mesh.tets.len();
+        let mut contacts = contact_vertices(&elements);
+        if kind == Kind::Elastic {
+            contacts.iter_mut().for_each(|v| v.strength = None);
+        }
+        map.append_crushing(contacts.iter().filter(|v| v.strength.is_some()).count());
         let mut p = assemble::<TRACTIONS, ModelError>(
             elastic.len(),
             &map,
@@ -194,29 +215,35 @@ impl<'a> Static<'a> {
             map.reduce(&full).iter().zip(&mut q).for_each(|(x, q)| *q += x);
         }
         let pinned = free_modes::static_pins(&elements, &map, &rigid, &pieces);
-        let yields = elastic.len() < model.mesh.tets.len();
         let weld_faces: Vec<(f64, Vec<Jump>)> = model
             .weld_faces()
             .map(|(strength, f)| (strength, weld_face::static_jumps(&elements, f)))
             .collect();
-        let stiffness = match (yields, weld_faces.is_empty()) {
-            (true, _) => elastic_diagonal(&elements, &map)?,
-            (false, false) => p.diagonal(),
-            (false, true) => Vec::new(),
+        let stiffness = if yields {
+            elastic_diagonal(&elements, &map)?
+        } else if !weld_faces.is_empty() || !map.crushing().is_empty() {
+            p.diagonal()
+        } else {
+            Vec::new()
         };
         hold(&mut p, &pinned, &stiffness);
         let mut program = ConicProgram { p, q, c, stiffness, ..ConicProgram::default() };
         program.g.ncols = map.n;
         let mut vertices = Vec::new();
-        for mut v in contact_vertices(&elements) {
+        let (mut closings, mut next) = (Vec::new(), map.crushing());
+        for mut v in contacts {
             if limit {
                 v.gap = 0.0;
             }
-            if v.push_cone(&mut program, &map) {
+            let (row, closing) = (program.g.nrows(), v.strength.and_then(|_| next.next()));
+            let moves = v.push_cone(&mut program, &map, closing);
+            closings.extend(v.crushing().map(|d| (moves.then_some(row), d)));
+            if moves {
                 vertices.push(v);
             }
         }
         cuts::append_limits(model, &map, &mut program);
+        cone::append_closings(&mut program, &map, &closings);
         map.frozen.iter().for_each(|&(k, closure)| program.freeze(k, closure));
         let mut own = Vec::new();
         let tets = model.mesh.tets.len();
@@ -274,48 +301,6 @@ fn elastic_diagonal(elements: &SuperElements, map: &DofMap) -> Result<Vec<f64>, 
 }
 
 impl Static<'_> {
-    /// Share of each tet in the optimal value, carried by the multipliers z of its yield
-    /// conditions: the multipliers are plastic strains or velocities, and the share is their
-    /// dissipation. Zero in bodies that never yield.
-    ///
-    /// # Units
-    /// Those of the objective. In limit analysis of proportional loads the shares of tets and welds
-    /// add up to the load factor.
-    pub fn yield_shares(&self, z: &[f64]) -> Vec<f64> {
-        let mut shares = vec![0.0; self.elements.model().mesh.tets.len()];
-        for batch in self.program.elements.batches.iter() {
-            let rows = YIELD_ROWS * batch.shape.points();
-            for (own, first) in
-                batch.own.into_iter().zip(batch.rows).filter(|(own, _)| *own != NONE)
-            {
-                // a tet without own unknowns has the same first unknown as the next tet that has
-                // some; welds follow the tets
-                let e = self.own.partition_point(|start| *start <= own as usize) - 1;
-                if let Some(share) = shares.get_mut(e) {
-                    let first = first as usize;
-                    *share = (first..first + rows).map(|r| self.program.h[r] * z[r]).sum();
-                }
-            }
-        }
-        shares
-    }
-
-    /// Velocities (in limit analysis; otherwise displacements) of the vertices of the mesh, from
-    /// the unknowns of a program: the multipliers of the equilibrium of tractions, averaged over
-    /// the faces at a vertex. Their sign and scale have no meaning.
-    pub fn vertex_velocities(&self, x: &[f64]) -> Vec<V3> {
-        let v = self.map.expand(x);
-        let mut sum = vec![([0.0; 3], 0.0); self.elements.model().mesh.nodes.len()];
-        for (nodes, v) in self.elements.faces.nodes.iter().zip(v.chunks_exact(9)) {
-            for (n, v) in nodes.iter().zip(v.chunks_exact(3)) {
-                let (total, count) = &mut sum[*n as usize];
-                (0..3).for_each(|c| total[c] += v[c]);
-                *count += 1.0;
-            }
-        }
-        sum.into_iter().map(|(total, count)| total.map(|x| x / f64::max(count, 1.0))).collect()
-    }
-
     /// Stress parameters of every element from the unknowns of a program, as
     /// [`SuperElement::stress`] takes them; zero in bodies that never yield.
     pub fn parameters(&self, x: &[f64]) -> Result<Vec<[f64; PARAMETERS]>, ModelError> {

@@ -353,15 +353,21 @@ pub(crate) fn interface_work(statics: &Static, motion: &[f64]) -> Vec<f64> {
     row
 }
 
-/// Sets that interface tractions must stay in: the cones of contact tractions, then the strengths
-/// of welds.
+/// Sets that interface tractions must stay in: the cones of contact tractions up to the strength of
+/// ground that crushes, then the strengths of welds.
 pub(crate) fn interface_sets(statics: &Static) -> Vec<Within> {
+    let model = statics.elements.model();
+    // the cones of contact vertices come first
+    let mut strengths = statics.vertices.iter().map(|v| model.crushing_strength(v.contact));
     let mut sets: Vec<Within> = cone_ranges(&statics.program)
         .into_iter()
-        .map(|(start, dim)| Within::Cone { start, dim })
+        .map(|(start, dim)| {
+            let most = strengths.next().flatten().unwrap_or(f64::INFINITY);
+            Within::Cone { start, dim, most }
+        })
         .collect();
     let first = statics.program.g.nrows();
-    let strengths = statics.elements.model().weld_faces().flat_map(|(strength, _)| [strength; 3]);
+    let strengths = model.weld_faces().flat_map(|(strength, _)| [strength; 3]);
     sets.extend(
         strengths.enumerate().map(|(i, radius)| Within::Ball { start: first + 3 * i, radius }),
     );

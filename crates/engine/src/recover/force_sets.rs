@@ -17,8 +17,9 @@ pub(crate) fn cone_ranges(program: &ConicProgram) -> Vec<(usize, usize)> {
 /// A set that a force must stay in.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Within {
-    /// The second-order cone, or the half-line, of `dim` rows from `start` on.
-    Cone { start: usize, dim: usize },
+    /// The second-order cone, or the half-line, of `dim` rows from `start` on; the pressure, its
+    /// first row, is at most `most`.
+    Cone { start: usize, dim: usize, most: f64 },
     /// The ball of radius `radius`: three rows.
     Ball { start: usize, radius: f64 },
 }
@@ -27,29 +28,31 @@ impl Within {
     /// First row and number of rows.
     pub fn range(self) -> (usize, usize) {
         match self {
-            Within::Cone { start, dim } => (start, dim),
+            Within::Cone { start, dim, .. } => (start, dim),
             Within::Ball { start, .. } => (start, 3),
         }
     }
 
-    /// Shortens a force in a ball to at most `1 − margin` of the radius; does nothing in cones.
+    /// Shortens a force to at most `1 − margin` of the radius of a ball or of the largest pressure.
     pub fn draw_in(self, z: &mut [f64], margin: f64) {
-        if let Within::Ball { start, radius } = self {
-            let force = &mut z[start..start + 3];
-            let (size, room) = (norm(force), (1.0 - margin) * radius);
-            if size > room {
-                force.iter_mut().for_each(|x| *x *= room / size);
-            }
+        let (start, dim) = self.range();
+        let force = &mut z[start..start + dim];
+        let (size, room) = match self {
+            Within::Cone { most, .. } => (force[0], (1.0 - margin) * most),
+            Within::Ball { radius, .. } => (norm(force), (1.0 - margin) * radius),
+        };
+        if size > room {
+            force.iter_mut().for_each(|x| *x *= room / size);
         }
     }
 
     /// Moves a force to the nearest one in the set with a margin relative to the pressure in a cone
     /// and to the strength in a ball.
     pub fn move_in(self, z: &mut [f64], margin: f64) {
-        match self {
-            Within::Cone { start, dim } => into_cone(&mut z[start..start + dim], 1.0 - margin),
-            Within::Ball { .. } => self.draw_in(z, margin),
+        if let Within::Cone { start, dim, .. } = self {
+            into_cone(&mut z[start..start + dim], 1.0 - margin);
         }
+        self.draw_in(z, margin);
     }
 
     /// Distance to the surface, with the room for rounding subtracted; negative outside.
@@ -57,17 +60,18 @@ impl Within {
         let (start, dim) = self.range();
         let force = &z[start..start + dim];
         match self {
-            Within::Cone { .. } => cone_margin(force),
+            Within::Cone { most, .. } => cone_margin(force).min((1.0 - ROOM) * most - force[0]),
             Within::Ball { radius, .. } => (1.0 - ROOM) * radius - norm(force),
         }
     }
 
     /// The inverse Hessian of the set's barrier at `z` times `r`: `z zᵀ − ½ det(z) J` of a cone (z²
-    /// of the half-line), `½ d (I − 2 z zᵀ/(d + 2 ‖z‖²))` with `d = radius² − ‖z‖²` of a ball.
+    /// of the half-line), smaller towards a largest pressure; `½ d (I − 2 z zᵀ/(d + 2 ‖z‖²))` with
+    /// `d = radius² − ‖z‖²` of a ball.
     fn metric(self, z: &[f64], r: &[f64], out: &mut [f64]) {
         let along: f64 = z.iter().zip(r).map(|(a, b)| a * b).sum();
         match self {
-            Within::Cone { dim, .. } => {
+            Within::Cone { dim, most, .. } => {
                 let half_det = if dim == 1 {
                     0.0
                 } else {
@@ -76,6 +80,13 @@ impl Within {
                 for i in 0..dim {
                     let j = if i == 0 { 1.0 } else { -1.0 };
                     out[i] = z[i] * along - half_det * j * r[i];
+                }
+                if most.is_finite() {
+                    // the barrier has one more term, −log(most − z₀)
+                    let (first, room) = (z[0] * z[0] - half_det, most - z[0]);
+                    let taken = out[0] / (room * room + first).max(f64::MIN_POSITIVE);
+                    out[0] -= taken * first;
+                    (1..dim).for_each(|i| out[i] -= taken * z[i] * z[0]);
                 }
             }
             Within::Ball { radius, .. } => {

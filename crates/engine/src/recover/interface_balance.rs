@@ -110,7 +110,7 @@ impl InterfaceBalance<'_> {
     fn inside(&self, found: &[f64], zero: &[bool], margin: f64, least: f64) -> Vec<f64> {
         let mut z = found.to_vec();
         for (set, zero) in self.sets.iter().zip(zero) {
-            if let Within::Cone { start, dim } = *set {
+            if let Within::Cone { start, dim, .. } = *set {
                 let force = &mut z[start..start + dim];
                 if *zero || (least > 0.0 && force[0] < least) {
                     force.fill(0.0);
@@ -164,7 +164,7 @@ pub(crate) fn absolute_work(motion: &[f64], forces: &[f64]) -> f64 {
 }
 
 fn factor_set(start: usize) -> Within {
-    Within::Cone { start, dim: 1 }
+    Within::Cone { start, dim: 1, most: f64::INFINITY }
 }
 
 #[cfg(test)]

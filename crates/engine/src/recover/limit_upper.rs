@@ -288,7 +288,11 @@ impl<'a> Projector<'a> {
     /// field alone when no contact is violated.
     fn opened(&self, x: Vec<f64>) -> Vec<Vec<f64>> {
         let g = &self.kinematic.program.g;
-        let cones = cone_ranges(&self.kinematic.program);
+        // ground that crushes need not open
+        let points = self.kinematic.points.iter();
+        let mut crushes = points.map(|p| self.model.crushing_strength(p.contact).is_some());
+        let mut cones = cone_ranges(&self.kinematic.program);
+        cones.retain(|_| !crushes.next().unwrap_or(false));
         let margin = |s: &[f64]| {
             cones.iter().map(|&(at, d)| cone_margin(&s[at..at + d])).fold(f64::INFINITY, f64::min)
         };

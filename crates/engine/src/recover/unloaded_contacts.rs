@@ -134,7 +134,7 @@ impl<'a> Motions<'a> {
         let mut cones = Vec::new();
         let mut blocks: Vec<Vec<Vec<f64>>> = Vec::new();
         for (i, set) in self.sets.iter().enumerate().filter(|(i, _)| !zero[*i]) {
-            let Within::Cone { start, dim } = *set else { continue };
+            let Within::Cone { start, dim, .. } = *set else { continue };
             let factor = start >= self.tractions;
             let rows: Vec<Vec<f64>> =
                 (start..start + dim).map(|r| work.iter().map(|w| w[r]).collect()).collect();

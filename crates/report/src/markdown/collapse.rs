@@ -4,7 +4,7 @@
 use crate::document::Doc;
 use crate::document::table::Table;
 use crate::figures::{Rounding, bracket, percent_up, significant};
-use crate::result::case_result::ResultantUse;
+use crate::result::interface_use::ResultantUse;
 use crate::result::result_file::CaseResult;
 use crate::result::result_file::FrictionModel;
 use crate::result::result_file::Quantity;
@@ -143,7 +143,11 @@ pub(crate) fn mechanism(doc: &mut Doc, case: &CaseResult) {
         let limits = case.resultants.iter();
         let moved = limits.filter(|r| r.share.is_some_and(|s| s >= LEAST_SHARE));
         let limits = moved.filter_map(|r| Some((say!("limit {}", &r.limit), r.share?)));
-        let interfaces = welds.chain(supports).chain(ties).chain(limits);
+        let ground = case.crushing.iter();
+        let crushed = ground.filter(|g| g.share.is_some_and(|s| s >= LEAST_SHARE));
+        let crushed =
+            crushed.filter_map(|g| Some((say!("crushed ground under {}", &g.ground), g.share?)));
+        let interfaces = welds.chain(supports).chain(ties).chain(crushed).chain(limits);
         let mut parts: Vec<(Text, f64)> = bodies.chain(interfaces).collect();
         parts.sort_by(|a, b| b.1.total_cmp(&a.1));
         let rows =

@@ -5,6 +5,7 @@ use crate::result::demand::{Demand, EndAction};
 use crate::result::face_motion::FaceMotion;
 use crate::result::forces::StaticForces;
 use crate::result::history::HistoryRow;
+use crate::result::interface_use::{GroundUse, ResultantUse, SupportSlip, TieSlip};
 use crate::result::load_step::LoadStep;
 use crate::result::proved_by::ProvedBy;
 use crate::result::quantity::{FrictionModel, LoadSize, Quantity, RawBracket, Upper};
@@ -132,6 +133,9 @@ pub struct CaseResult {
     /// the upper bound slips.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub tie_slip: Vec<TieSlip>,
+    /// Limit analysis: each contact with ground that crushes.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub crushing: Vec<GroundUse>,
     /// Limit analysis: each limit on the resultants of cuts.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub resultants: Vec<ResultantUse>,
@@ -174,42 +178,6 @@ pub struct WeldUse {
     /// displacements of the upper bound \[N mm\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub work: Option<f64>,
-}
-
-/// Use of a resultant limit, in the meshed part.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct ResultantUse {
-    /// Name of the limit.
-    pub limit: String,
-    /// Largest value \[N\].
-    pub at_most: f64,
-    /// Sum of the resultants in the static field \[N\], global axes: force of side B on side A.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub force: Option<[f64; 3]>,
-    /// Its value `along · force + ‖across force‖` over `at_most`, a fraction.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub utilisation: Option<f64>,
-    /// Its share in the dissipation of the mechanism, a fraction.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub share: Option<f64>,
-}
-
-/// Slip of a body along the faces of a support.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct SupportSlip {
-    /// Name of the support's faces.
-    pub support: String,
-    /// Its share in the dissipation of the mechanism, a fraction.
-    pub share: f64,
-}
-
-/// Slip along the common faces of two bodies tied together.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct TieSlip {
-    /// The two bodies: `BEAM-PLATE`.
-    pub tie: String,
-    /// Its share in the dissipation of the mechanism, a fraction.
-    pub share: f64,
 }
 
 /// Plastic state of a body that can yield.
@@ -289,6 +257,7 @@ impl CaseResult {
             welds: Vec::new(),
             support_slip: Vec::new(),
             tie_slip: Vec::new(),
+            crushing: Vec::new(),
             resultants: Vec::new(),
             peak_contact_pressure: None,
             warnings: Vec::new(),

@@ -4,7 +4,8 @@
 use crate::result::bounds::CaseBounds;
 use crate::result::case_result::CaseResult;
 use crate::result::case_result::PartYield;
-use crate::result::case_result::{PeakPressure, ResultantUse, WeldUse};
+use crate::result::case_result::{PeakPressure, WeldUse};
+use crate::result::interface_use::ResultantUse;
 use crate::result::quantity::{FrictionModel, Quantity, RawBracket, Upper};
 use bracket_engine::certify::bracket::Contradiction;
 use bracket_engine::model::AnalysisKind;

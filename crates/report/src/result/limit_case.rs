@@ -4,8 +4,6 @@ use crate::result::bounds::{CaseBounds, FactorLimit};
 use crate::result::case_result::CaseResult;
 use crate::result::case_result::PartShare;
 use crate::result::case_result::PeakPressure;
-use crate::result::case_result::ResultantUse;
-use crate::result::case_result::{SupportSlip, TieSlip};
 use crate::result::certificate::Certificate;
 use crate::result::energy_case::estimate_warning;
 use crate::result::energy_case::only_load;
@@ -14,6 +12,7 @@ use crate::result::energy_case::program_run;
 use crate::result::energy_case::run_warning;
 use crate::result::energy_case::weld_uses;
 use crate::result::history::HistoryRow;
+use crate::result::interface_use::{GroundUse, ResultantUse, SupportSlip, TieSlip};
 use crate::result::quantity::{FrictionModel, Quantity, RawBracket, Upper};
 use bracket_base::say;
 use bracket_base::words::{Gap, Text};
@@ -26,11 +25,12 @@ use bracket_engine::certify::velocity_field::VelocityField;
 
 use bracket_base::math::Sum;
 use bracket_engine::certify::{
-    FactorBracket, LowerFactor, StressField, UpperFactor, cut_limits, slip, ties, welds,
+    FactorBracket, LowerFactor, StressField, UpperFactor, crushing, cut_limits, slip, ties, welds,
 };
 use bracket_engine::elements::space::Tet10Space;
 use bracket_engine::model::AnalysisModel;
-use bracket_engine::model::analysis::{Support, Tie};
+use bracket_engine::model::analysis::{GroundContact, Support, Tie};
+use bracket_engine::model::loads::Loads;
 use bracket_engine::model::resultant_limit::ResultantLimit;
 use bracket_engine::solve::SolveStatus;
 
@@ -167,6 +167,7 @@ struct Shares {
     supports: Vec<SupportSlip>,
     /// Ties along which it slips.
     ties: Vec<TieSlip>,
+    ground: Vec<f64>,
     resultants: Vec<f64>,
 }
 
@@ -181,9 +182,10 @@ fn shares(model: &AnalysisModel, velocity: &VelocityField) -> Shares {
     let space = Tet10Space::new(mesh);
     let supports = slip::dissipations(model, &space, &velocity.nodes.u);
     let ties = ties::dissipations(model, &space, &velocity.nodes.u);
+    let ground = crushing::dissipations(model, &space, &velocity.nodes.u);
     let resultants = cut_limits::costs(model, velocity);
-    let interfaces = welds.iter().chain(&supports).chain(&ties).chain(&resultants).copied();
-    let total = Sum::of(bodies.iter().map(|d| d.value()).chain(interfaces));
+    let interfaces = [&welds, &supports, &ties, &ground, &resultants].into_iter().flatten();
+    let total = Sum::of(bodies.iter().map(|d| d.value()).chain(interfaces.copied()));
     let share = |d: f64| if total > 0.0 { d / total } else { 0.0 };
     let bodies = mesh.bodies.iter().zip(&bodies);
     let bodies = bodies.map(|(name, d)| PartShare { part: name.clone(), share: share(d.value()) });
@@ -196,8 +198,28 @@ fn shares(model: &AnalysisModel, velocity: &VelocityField) -> Shares {
         welds: welds.into_iter().map(share).collect(),
         supports: supports.map(slip).collect(),
         ties: ties.map(tie).collect(),
+        ground: ground.into_iter().map(share).collect(),
         resultants: resultants.into_iter().map(share).collect(),
     }
+}
+
+/// Each contact with ground that crushes: under a stress field with the load factor that it
+/// carries, and with its share in the dissipation.
+fn ground_uses(
+    model: &AnalysisModel,
+    carried: Option<(&StressField, f64)>,
+    share: &[f64],
+) -> Vec<GroundUse> {
+    let used = carried.map(|(s, factor)| crushing::utilisations(model, s, Loads::at(factor)));
+    let of = |(i, ground): (usize, &GroundContact)| {
+        Some(GroundUse {
+            ground: ground.name.clone(),
+            strength: ground.strength?,
+            utilisation: used.as_ref().and_then(|u| u.get(i).copied()),
+            share: share.get(i).copied(),
+        })
+    };
+    model.ground.iter().enumerate().filter_map(of).collect()
 }
 
 /// The entry of each resultant limit: its use by the stress of the lower bound and its share in the
@@ -266,9 +288,12 @@ pub fn limit_case_result(
     let used = stress.as_ref().map_or(Vec::new(), |s| welds::demands(model, s));
     let shares = pass.velocity.as_ref().map_or_else(Shares::default, |v| shares(model, v));
     let limits = resultant_uses(model, stress.as_ref(), &shares.resultants);
+    let ground =
+        ground_uses(model, stress.as_ref().zip(low.map(LowerFactor::value)), &shares.ground);
     let nearest = stress.as_ref().map(|s| utilisation(model, s));
     let limiting_part = nearest
         .filter(|(most, _)| used.iter().all(|w| w.largest <= *most))
+        .filter(|(most, _)| ground.iter().all(|g| g.utilisation.is_none_or(|u| u <= *most)))
         .filter(|(most, _)| limits.iter().all(|r| r.utilisation.is_none_or(|u| u <= *most)))
         .and_then(|n| n.1)
         .map(body);
@@ -308,6 +333,7 @@ pub fn limit_case_result(
         welds: weld_uses(model, used, shares.welds, Vec::new()),
         support_slip: shares.supports,
         tie_slip: shares.ties,
+        crushing: ground,
         resultants: limits,
         peak_contact_pressure: peak.map(|p| PeakPressure { kinematic: None, static_: Some(p) }),
         warnings,

@@ -19,6 +19,7 @@ pub mod folder;
 pub mod folder_error;
 pub mod forces;
 pub mod history;
+pub mod interface_use;
 pub mod judged_case;
 pub mod limit_case;
 pub mod load_step;

@@ -5,9 +5,11 @@ use super::faults::Faults;
 use super::interfaces::{check_gap, contact_law};
 use super::names::Scene;
 use crate::mesh::topology::face_nodes;
+use crate::model::AnalysisKind;
 use crate::model::analysis::{BoundaryFace, GroundContact, RigidFace, Support};
-use crate::model::file::{Axis, Law, ModelFile};
+use crate::model::file::{Axis, Law, ModelFile, SupportEntry};
 use bracket_base::math::rigid_motion::rigid_displacement;
+use bracket_base::say;
 use bracket_base::words::Text;
 use std::collections::BTreeMap;
 
@@ -41,9 +43,11 @@ pub(super) fn supports(
         let faces = scene.outer_faces(&name, &format!("{path}.face"), claims, faults);
         match (entry.law, entry.fix.is_empty()) {
             (None, false) => {
-                if entry.mu.is_some() || entry.gap.is_some() || entry.friction.is_some() {
+                let of_ground = [entry.mu.is_some(), entry.gap.is_some(), entry.friction.is_some()];
+                if of_ground.contains(&true) || entry.strength.is_some() {
                     let m = format!(
-                        "`mu`, `gap` and `friction` have no effect on the fixed face `{name}`"
+                        "`mu`, `gap`, `friction` and `strength` have no effect on the fixed face \
+                         `{name}`"
                     );
                     faults.add(
                         "model/support",
@@ -62,7 +66,8 @@ pub(super) fn supports(
                     let nodes =
                         faces.iter().map(|f| face_nodes(&scene.mesh.tets[f.tet as usize], f.local));
                     check_gap(&law.gap, &name, &path, scene, nodes, faults);
-                    ground.push(GroundContact { name, law, faces });
+                    let strength = crushing_strength(entry, &path, file.analysis, faults, notes);
+                    ground.push(GroundContact { name, law, strength, faces });
                 }
             }
             (Some(Law::Contact), false) | (None, true) => {
@@ -86,6 +91,31 @@ pub(super) fn supports(
         }
     }
     (supports, ground)
+}
+
+/// Reads `strength` of a contact with the ground.
+fn crushing_strength(
+    entry: &SupportEntry,
+    path: &str,
+    analysis: AnalysisKind,
+    faults: &mut Faults<'_>,
+    notes: &mut Vec<Text>,
+) -> Option<f64> {
+    let strength = entry.strength?;
+    if !(strength.is_finite() && strength > 0.0) {
+        let m = format!("the strength of the ground under `{}` is {strength} MPa", entry.face);
+        let next = "write the pressure at which the ground crushes, > 0 MPa, or remove `strength` \
+                    for rigid ground";
+        faults.add("model/support", &format!("{path}.strength"), m, next);
+        return None;
+    }
+    if analysis != AnalysisKind::Limit {
+        notes.push(say!(
+            "the ground under {} is rigid here: its strength counts in limit analysis only",
+            entry.face.clone()
+        ));
+    }
+    Some(strength)
 }
 
 /// Reads `rigid`.

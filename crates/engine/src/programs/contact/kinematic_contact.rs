@@ -13,7 +13,7 @@ use crate::programs::conic::ConicProgram;
 use crate::programs::contact::cone;
 use crate::programs::dofs::DofMap;
 use bracket_base::math::vec3::{self, V3};
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 
 /// Contact, node on side A, node on side B and rounded normal of a control point.
 pub type Key = (usize, usize, usize, [i64; 3]);
@@ -33,6 +33,9 @@ pub struct ControlPoint {
     pub a: [usize; 3],
     /// Nodes on side B; `None`: rigid ground.
     pub b: Option<[usize; 3]>,
+    /// Dissipation per unit of closing of the ground, where it crushes: the strength times the
+    /// integral of the Bernstein polynomials of the point \[N\].
+    pub crushing: Option<f64>,
     /// True for an edge: the coefficient is `2 u_mid − ½ (u_i + u_j)`.
     pub edge: bool,
 }
@@ -70,7 +73,13 @@ impl ControlPoint {
     }
 
     /// Appends the contact cone of the point to a program; false when nothing of it can move.
-    pub fn push_cone(&self, program: &mut ConicProgram, map: &DofMap) -> bool {
+    /// `closing`: the unknown of the closing of the ground, where it crushes.
+    pub fn push_cone(
+        &self,
+        program: &mut ConicProgram,
+        map: &DofMap,
+        closing: Option<usize>,
+    ) -> bool {
         let jump = |n: V3, factor: f64| {
             let mut full = Vec::new();
             for (i, &w) in self.weights().iter().enumerate() {
@@ -83,7 +92,8 @@ impl ControlPoint {
             }
             full
         };
-        cone::push_cone(program, map, (self.normal, self.mu, self.gap), jump)
+        let closing = closing.map(|k| (k, 1.0));
+        cone::push_cone(program, map, (self.normal, self.mu, self.gap), closing, jump)
     }
 }
 
@@ -107,27 +117,38 @@ pub fn points_of_faces(model: &AnalysisModel, space: &Tet10Space) -> Vec<[Contro
         .enumerate()
         .map(|(face, (contact, corners, a, b))| {
             let law = model.contact_law(contact);
-            points_of_face(contact, law.mu, model.opening(face, law, &corners), &corners, a, b)
+            let strength = model.crushing_strength(contact);
+            let law = (law.mu, strength, model.opening(face, law, &corners));
+            points_of_face(contact, law, &corners, a, b)
         })
         .collect()
 }
 
 /// Every distinct control point of the contacts of a model.
 pub fn control_points(model: &AnalysisModel, space: &Tet10Space) -> Vec<ControlPoint> {
-    let mut seen = BTreeSet::new();
-    points_of_faces(model, space).into_iter().flatten().filter(|p| seen.insert(p.key())).collect()
+    let mut place: BTreeMap<Key, usize> = BTreeMap::new();
+    let mut points: Vec<ControlPoint> = Vec::new();
+    for point in points_of_faces(model, space).into_iter().flatten() {
+        let at = *place.entry(point.key()).or_insert(points.len());
+        match (points.get_mut(at).map(|p| &mut p.crushing), point.crushing) {
+            (None, _) => points.push(point),
+            (Some(Some(sum)), Some(more)) => *sum += more,
+            (Some(_), _) => {}
+        }
+    }
+    points
 }
 
 fn points_of_face(
     contact: usize,
-    mu: f64,
-    opening: Bernstein,
+    (mu, strength, opening): (f64, Option<f64>, Bernstein),
     corners: &[V3; 3],
     a: [usize; 6],
     b: Option<[usize; 6]>,
 ) -> [ControlPoint; 6] {
     let area = vec3::area_vector(corners);
-    let normal = vec3::scale(1.0 / vec3::norm(area), area);
+    let size = vec3::norm(area);
+    let normal = vec3::scale(1.0 / size, area);
     std::array::from_fn(|i| {
         // the coefficient of a vertex has one node, that of an edge its mid-side node and two ends
         let picked = if i < 3 { [i; 3] } else { [i, FACE_EDGES[i - 3][0], FACE_EDGES[i - 3][1]] };
@@ -139,6 +160,7 @@ fn points_of_face(
             gap: opening[i],
             a: pick(a),
             b: b.map(pick),
+            crushing: strength.map(|f| f * size / 6.0),
             edge: i >= 3,
         }
     })

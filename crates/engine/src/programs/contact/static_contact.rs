@@ -30,6 +30,8 @@ pub struct ContactVertex {
     pub index: usize,
     /// Area of the face \[mm²\].
     pub area: f64,
+    /// Strength of the ground, where it crushes \[MPa\].
+    pub strength: Option<f64>,
     /// `∫ φ_a (g₀ + s)` with the shift s of the cone, zero without one \[mm³\].
     pub gap: f64,
 }
@@ -40,8 +42,19 @@ impl ContactVertex {
         (self.contact, self.a, self.index) == (other.contact, other.a, other.index)
     }
 
+    /// Dissipation per unit of closing of the ground, where it crushes \[N\].
+    pub fn crushing(&self) -> Option<f64> {
+        self.strength.map(|f| f * self.area / 3.0)
+    }
+
     /// Appends the contact cone of the vertex to a program; false when nothing of it can move.
-    pub fn push_cone(&self, program: &mut ConicProgram, map: &DofMap) -> bool {
+    /// `closing`: the unknown of the closing of the ground, where it crushes.
+    pub fn push_cone(
+        &self,
+        program: &mut ConicProgram,
+        map: &DofMap,
+        closing: Option<usize>,
+    ) -> bool {
         let jump = |n: V3, factor: f64| {
             let mut full = Vec::new();
             for b in 0..3 {
@@ -55,7 +68,8 @@ impl ContactVertex {
             }
             full
         };
-        cone::push_cone(program, map, (self.normal, self.mu, self.gap), jump)
+        let closing = closing.map(|k| (k, self.area / 3.0));
+        cone::push_cone(program, map, (self.normal, self.mu, self.gap), closing, jump)
     }
 }
 
@@ -79,7 +93,8 @@ pub fn contact_vertices(elements: &SuperElements) -> Vec<ContactVertex> {
                 .map(|(l, w)| w * area * l[index] * bernstein_at(&opening, *l))
                 .sum();
             let normal = vec3::scale(1.0 / area, vector);
-            out.push(ContactVertex { contact, normal, mu: law.mu, a, b, index, area, gap });
+            let (mu, strength) = (law.mu, model.crushing_strength(contact));
+            out.push(ContactVertex { contact, normal, mu, a, b, index, area, strength, gap });
         }
     };
     for (contact, interface) in model.interfaces.iter().enumerate() {

@@ -13,8 +13,8 @@ fn balance_of<'a>(
 #[test]
 fn nearest_forces_inside() {
     let sets = [
-        Within::Cone { start: 0, dim: 3 },
-        Within::Cone { start: 3, dim: 1 },
+        Within::Cone { start: 0, dim: 3, most: f64::INFINITY },
+        Within::Cone { start: 3, dim: 1, most: f64::INFINITY },
         Within::Ball { start: 4, radius: 0.5 },
     ];
     let balance = balance_of(&sets, &[], &[]);
@@ -53,7 +53,7 @@ fn nearest_forces_inside() {
 
 /// Half-lines, one for each force.
 fn springs(n: usize) -> Vec<Within> {
-    (0..n).map(|start| Within::Cone { start, dim: 1 }).collect()
+    (0..n).map(|start| Within::Cone { start, dim: 1, most: f64::INFINITY }).collect()
 }
 
 fn work(row: &[f64], z: &[f64]) -> f64 {
@@ -110,7 +110,8 @@ fn loads_that_open_a_contact_have_no_balance() {
 /// Friction: a block that nothing loads, on a corner of three cones.
 #[test]
 fn unloaded_friction_cones() {
-    let sets: Vec<Within> = (0..3).map(|i| Within::Cone { start: 3 * i, dim: 3 }).collect();
+    let sets: Vec<Within> =
+        (0..3).map(|i| Within::Cone { start: 3 * i, dim: 3, most: f64::INFINITY }).collect();
     let mu = 0.3;
     let at = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
     // lift, two shifts, two tilts, turn

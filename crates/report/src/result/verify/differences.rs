@@ -1,7 +1,7 @@
 //! Compares the values that a result derives from its bounds with recomputed ones.
 
 use super::history::near_gap;
-use crate::result::case_result::ResultantUse;
+use crate::result::interface_use::ResultantUse;
 use crate::result::quantity::LoadSize;
 use crate::result::result_file::CaseResult;
 use crate::result::result_file::RawBracket;
@@ -52,6 +52,12 @@ pub fn derived_differences(claimed: &CaseResult, found: &CaseResult) -> Vec<Stri
         (Some(a), Some(b)) => (a - b).abs() <= 1e-9 * a.abs().max(b.abs()) + 1e-12,
         (a, b) => a.is_none() && b.is_none(),
     };
+    let crushing = claimed.crushing.len() == found.crushing.len()
+        && claimed.crushing.iter().zip(&found.crushing).all(|(a, b)| {
+            (&a.ground, a.strength) == (&b.ground, b.strength)
+                && like(a.utilisation, b.utilisation)
+                && like(a.share, b.share)
+        });
     let resultants = claimed.resultants.len() == found.resultants.len()
         && claimed.resultants.iter().zip(&found.resultants).all(|(a, b)| {
             (&a.limit, a.at_most) == (&b.limit, b.at_most)
@@ -101,6 +107,7 @@ pub fn derived_differences(claimed: &CaseResult, found: &CaseResult) -> Vec<Stri
         ("welds", welds),
         ("support_slip", shares(support_slip)),
         ("tie_slip", shares(tie_slip)),
+        ("crushing", crushing),
         ("resultants", resultants),
         (
             "load_displacement_at_least",
