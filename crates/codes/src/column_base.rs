@@ -6,6 +6,7 @@
 //! need of the concrete is the matter of EN 1992-4: these checks print the forces.
 
 mod anchorage;
+mod case_end;
 mod compression;
 pub mod effective_area;
 mod forces;

@@ -1,6 +1,6 @@
 //! What the anchors need of the concrete: the matter of EN 1992-4.
 
-use super::load_cases::at;
+use super::case_end::at;
 use crate::check::{Check, CheckId, Topic, Unit};
 use crate::subject::Part;
 use bracket_base::say;

@@ -26,8 +26,8 @@ fn length(name: &'static str, value: f64) -> Traced {
     Traced::length(name, value)
 }
 
-/// The forces under N, tension positive \[N\], and My, tension at positive x \[N mm\]; an error says
-/// why the tables have no tension side. N and My are not both zero.
+/// The forces under N, tension positive \[N\], and My, tension at positive x \[N mm\]; an error
+/// says why the tables have no tension side. N and My are not both zero.
 ///
 /// # Source
 /// EN 1993-1-8:2005 6.2.8.3, Table 6.7, all four signs.

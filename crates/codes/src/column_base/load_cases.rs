@@ -1,6 +1,7 @@
 //! Checks of every load case with actions on the base.
 
 use super::anchorage;
+use super::case_end::at;
 use super::compression::{cross_section, under_flange, whole};
 use super::forces::{Force, Forces, forces};
 use super::shear;
@@ -9,7 +10,7 @@ use super::tension_side::of_anchor;
 use super::weld_checks;
 use crate::check::{Check, CheckId, Status, Topic, Unit, largest};
 use crate::formula::Traced;
-use crate::subject::{Part, Subject};
+use crate::subject::Part;
 use crate::worked::Worked;
 use bracket_base::say;
 use bracket_joint::assembly::{ColumnBase, PlaneActions};
@@ -58,11 +59,6 @@ fn of_case(e: &ColumnBase, a: &PlaneActions) -> Vec<Check> {
     out.extend(weld_checks::under_load(e, a));
     out.extend(column(e, a, [n, v, m]));
     out
-}
-
-/// The end of a load case.
-pub(super) fn at(a: &PlaneActions) -> Subject {
-    Subject::end(&a.end)
 }
 
 /// The forces of both sides against their resistances, and M_j,Rd at constant eccentricity.

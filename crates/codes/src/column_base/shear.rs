@@ -1,6 +1,6 @@
 //! Shear of a base: friction of the compressed plate, and the anchors.
 
-use super::load_cases::at;
+use super::case_end::at;
 use crate::check::{Check, CheckId, Status, Topic, Unit, within};
 use crate::eurocode::bearing::{Along, Bearing, Hole};
 use crate::eurocode::bolts::tension_resistance;

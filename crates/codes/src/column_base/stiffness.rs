@@ -1,8 +1,8 @@
 //! Initial stiffness of a base with one side in tension and one in compression.
 
+use super::case_end::at;
 use super::compression::{flange_area, profile, z_c};
 use super::forces::{Force, Forces};
-use super::load_cases::at;
 use crate::check::{Check, CheckId, Topic, Unit};
 use crate::component_method::t_stub::Prying;
 use crate::eurocode::concrete::e_cm;

@@ -1,7 +1,7 @@
 //! Fillet welds of the column on its plate, under an elastic distribution of N and M.
 
+use super::case_end::at;
 use super::compression::profile;
-use super::load_cases::at;
 use crate::check::{Check, Status, Topic, Unit};
 use crate::end_plate::without_strength;
 use crate::eurocode::i_section::Section;
