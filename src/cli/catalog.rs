@@ -1,9 +1,13 @@
 //! `bracket catalog`.
 
+mod row;
+
 use super::common::{CommandResult, Common, Format};
 use crate::driver::spec_file::catalog_warning;
 use bracket_base::diag::{Diagnostic, Diagnostics, ExitStatus, did_you_mean, in_line};
-use bracket_joint::catalog::{BoltSize, Catalog, CatalogError, IProfile, NationalAnnex, Steel};
+use bracket_joint::catalog::{
+    BoltSize, Catalog, CatalogError, IProfile, NationalAnnex, Section, ShapedProfile, Steel,
+};
 use bracket_report::console::out;
 use clap::{Subcommand, ValueEnum};
 use serde::Serialize;
@@ -46,6 +50,8 @@ pub enum Action {
 pub enum Kind {
     /// Rolled I and H sections.
     Profiles,
+    /// Angles, channels and hollow sections, for templates of your own.
+    Sections,
     /// Bolt sizes with head, nut, washer and holes.
     Bolts,
     /// Strengths of bolts.
@@ -81,6 +87,7 @@ pub fn run(args: &CatalogArgs, common: &Common) -> CommandResult {
 fn kinds(catalog: &Catalog, common: &Common) -> Result<(), Diagnostics> {
     let rows: Vec<(Kind, usize)> = vec![
         (Kind::Profiles, catalog.profiles().len()),
+        (Kind::Sections, catalog.shaped().len()),
         (Kind::Bolts, catalog.bolts().len()),
         (Kind::BoltGrades, catalog.bolt_grades().len()),
         (Kind::Steels, catalog.steels().len()),
@@ -144,6 +151,32 @@ fn list(
                 "Wpl,y cm3",
             ];
             table(&rows, &head, cells, common)
+        }
+        Kind::Sections => {
+            let cells = |p: &ShapedProfile| {
+                let section = Section::Shaped(p);
+                let mut cells = vec![p.name.clone(), section.kind().noun().to_owned()];
+                let [h, b, tw, tf, r, ..] = section.dimensions().map(|(_, v)| v);
+                cells.extend([h, b, tw, tf, r].map(|v| v.to_string()));
+                cells.extend([p.mass, p.area].map(row::hundredths));
+                cells.push(p.w_pl_y.map_or_else(|| "-".to_owned(), row::hundredths));
+                cells.push(p.standard.clone());
+                cells
+            };
+            let head = [
+                "name",
+                "kind",
+                "h mm",
+                "b mm",
+                "tw mm",
+                "tf mm",
+                "r mm",
+                "kg/m",
+                "A cm2",
+                "Wpl,y cm3",
+                "standard",
+            ];
+            table(catalog.shaped(), &head, cells, common)
         }
         Kind::Bolts => {
             let cells = |b: &BoltSize| {
@@ -315,6 +348,7 @@ fn show(catalog: &Catalog, name: &str, common: &Common) -> Result<(), Diagnostic
         Err(error) => refused.push(error),
     };
     take("profile", catalog.profile(name).map(|r| json!(r)));
+    take("section", catalog.shaped_section(name).map(|r| json!(r)));
     take("bolt", catalog.bolt(name).map(|r| json!(r)));
     take("bolt grade", catalog.bolt_grade(name).map(|r| json!(r)));
     take("steel", catalog.steel(name).map(|r| json!(r)));
@@ -360,7 +394,7 @@ fn show(catalog: &Catalog, name: &str, common: &Common) -> Result<(), Diagnostic
             let mut text = String::new();
             for (kind, row) in &found {
                 text += &format!("{kind}\n");
-                text += &values(kind, row);
+                text += &row::values(kind, row);
                 let at = &row["source"];
                 text += &format!(
                     "  source: {} line {}\n",
@@ -377,47 +411,5 @@ fn show(catalog: &Catalog, name: &str, common: &Common) -> Result<(), Diagnostic
             }
             out::text(&text)
         }
-    }
-}
-
-/// The fields of a row with their units, one per line.
-fn values(kind: &str, row: &Value) -> String {
-    let mut text = String::new();
-    for (key, value) in row.as_object().into_iter().flatten().filter(|(key, _)| *key != "source") {
-        let shown = match value {
-            Value::String(s) => in_line(s),
-            Value::Bool(b) => if *b { "yes" } else { "no" }.to_owned(),
-            Value::Number(n) => format!("{} {}", n.as_f64().unwrap_or(f64::NAN), unit(kind, key))
-                .trim_end()
-                .to_owned(),
-            Value::Array(bands) if bands.is_empty() => "none".to_owned(),
-            Value::Array(bands) => bands.iter().map(band).collect::<Vec<_>>().join("; "),
-            other => other.to_string(),
-        };
-        text += &format!("  {key}: {shown}\n");
-    }
-    text
-}
-
-fn band(b: &Value) -> String {
-    format!("t {} to {} mm: fy {} fu {} MPa", b["over"], b["up_to"], b["fy"], b["fu"])
-}
-
-/// Unit of a field, as in the doc comments of the catalogue's types.
-fn unit(kind: &str, key: &str) -> &'static str {
-    match key {
-        "area" if kind == "profile" => "cm2",
-        "h" | "b" | "tw" | "tf" | "r" | "r_detailing" | "d" | "pitch" | "hole_normal"
-        | "hole_oversize" | "slot_short" | "slot_long" | "head_width" | "head_corners"
-        | "head_height" | "thread_length" | "nut_width" | "nut_height" | "washer_inner"
-        | "washer_outer" | "washer_thickness" => "mm",
-        "area" | "stress_area" => "mm2",
-        "mass" => "kg/m",
-        "i_y" | "i_z" | "i_t" => "cm4",
-        "w_el_y" | "w_pl_y" | "w_el_z" | "w_pl_z" => "cm3",
-        "i_w" => "cm6",
-        "fyb" | "fub" | "e" => "MPa",
-        "density" => "kg/m3",
-        _ => "",
     }
 }

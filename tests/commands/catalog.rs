@@ -29,6 +29,7 @@ fn kinds_have_rows() {
     let text = stdout(&[]);
     for (kind, rows) in [
         ("profiles", 583),
+        ("sections", 538),
         ("bolts", 32),
         ("bolt-grades", 9),
         ("steels", 28),
@@ -52,6 +53,20 @@ fn a_series_is_listed_alone() {
     assert!(text.lines().skip(1).all(|l| l.starts_with("HEAA")));
     assert!(refused(&["list", "profiles", "--series", "HEC"]).contains("did you mean `HE"));
     assert!(refused(&["list", "bolts", "--series", "HEB"]).contains("narrows profiles only"));
+}
+
+/// Angles, channels and hollow sections show their kind and all dimensions.
+#[test]
+fn a_section_is_shown_with_its_shape() {
+    let text = stdout(&["show", "L100x10"]);
+    for part in ["section\n", "shape: angle", "h 100 mm", "t 10 mm", "area: 19.2 cm2"] {
+        assert!(text.contains(part), "{part}: {text}");
+    }
+    let text = stdout(&["show", "CHS168.3x8"]);
+    assert!(text.contains("shape: chs, d 168.3 mm, t 8 mm"), "{text}");
+    let list = stdout(&["list", "sections"]);
+    assert!(list.contains("rectangular hollow section"), "{list}");
+    assert!(refused(&["show", "L100x11"]).contains("did you mean `L100x10`"));
 }
 
 #[test]

@@ -15,6 +15,7 @@ mod load_steps;
 #[path = "../common/numbers.rs"]
 mod numbers;
 mod preload;
+mod profiles;
 mod public_cases;
 mod route_pictures;
 mod stiffness;

@@ -114,10 +114,13 @@ pub struct Length {
     pub flanges: Vec<Extent>,
     /// Its web, in pieces beside notches.
     pub web: Vec<Extent>,
+    /// The sides of a circular hollow section as slabs, each with its turn.
+    #[serde(skip)]
+    pub facets: Vec<(Extent, Turn)>,
     /// How it is turned; flanges and web are those before the turn, and without its cuts.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub turn: Option<Turn>,
-    /// What it is in space, where it is turned.
+    /// What it is in space, where it is turned or round.
     #[serde(skip)]
     pub drawn: Vec<Block>,
     /// True if the hand checks know it.
@@ -137,7 +140,8 @@ impl Length {
 
     /// Extent of the whole section before it is turned.
     pub fn extent(&self) -> Extent {
-        self.blocks().copied().reduce(union).unwrap_or_default()
+        let round = self.facets.iter().map(|(e, t)| Block::of(e, t.axis).turned(t).bounds());
+        self.blocks().copied().chain(round).reduce(union).unwrap_or_default()
     }
 
     /// The box round it in space.
@@ -147,17 +151,17 @@ impl Length {
 
     /// What it is in space; boxes are blocks along y.
     pub fn solids(&self) -> Vec<Block> {
-        match self.turn {
-            Some(_) => self.drawn.clone(),
-            None => self.blocks().map(|b| Block::of(b, 1)).collect(),
+        match self.drawn.is_empty() {
+            false => self.drawn.clone(),
+            true => self.blocks().map(|b| Block::of(b, 1)).collect(),
         }
     }
 
     /// The boxes round its flanges and its web in space.
     pub fn plates_in_space(&self) -> Vec<Extent> {
-        match self.turn {
-            Some(_) => self.drawn.iter().map(Block::bounds).collect(),
-            None => self.blocks().copied().collect(),
+        match self.drawn.is_empty() {
+            false => self.drawn.iter().map(Block::bounds).collect(),
+            true => self.blocks().copied().collect(),
         }
     }
 }

@@ -11,7 +11,7 @@ fn suggestions_make_sense() {
     let d = first("steel: S235", "steel: S460");
     assert!(d.message.contains("did you mean `S460N`, `S460M` or `S460Q`?"), "{}", d.message);
     let d = first("profile: HEB200", "profile: UPE200");
-    assert!(d.message.contains("members are I or H sections"), "{}", d.message);
+    assert!(d.message.contains("this member takes I and H sections"), "{}", d.message);
     let d = first("mu: 0.3", "class: E");
     assert!(!d.message.contains("did you mean"), "{}", d.message);
     // one mistake is one message

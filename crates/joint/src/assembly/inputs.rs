@@ -6,7 +6,9 @@ use super::given::given;
 use super::scope::{Given, Resolved, Scope, path_of};
 use super::spec_checks;
 use super::template::Template;
-use crate::catalog::{BoltGrade, BoltSize, Catalog, CatalogError, IProfile, Steel};
+use crate::catalog::{
+    BoltGrade, BoltSize, Catalog, CatalogError, IProfile, Section, SectionKind, Steel,
+};
 use crate::spec::connection::{ConnectionSpec, PreloadSpec};
 use crate::spec::expr::Value;
 use crate::strength::{BoltShank, Nominal, NominalStrength, Strength};
@@ -20,7 +22,7 @@ const BOLT_ELASTIC: (f64, f64) = (210_000.0, 0.3);
 
 /// Catalogue rows and values of one spec.
 pub struct Inputs<'a> {
-    profiles: Vec<(String, &'a IProfile)>,
+    sections: Vec<(String, Section<'a>)>,
     steels: BTreeMap<String, (String, &'a Steel)>,
     /// Size and grade of the bolts, if the spec has bolts.
     pub bolt: Option<(&'a BoltSize, &'a BoltGrade)>,
@@ -36,6 +38,31 @@ fn unlisted(path: String, cause: CatalogError) -> AssemblyError {
     AssemblyError::Catalog { path, cause: cause.into() }
 }
 
+/// The section of a member, of a kind that the template takes for its role.
+fn section<'a>(
+    template: &Template,
+    role: &str,
+    name: &str,
+    catalog: &'a Catalog,
+) -> Result<Section<'a>, AssemblyError> {
+    let path = || format!("members.{role}.profile");
+    let entry = template.members.iter().find(|m| m.role == role);
+    let taken = entry.map_or(&[SectionKind::I][..], |m| &m.sections);
+    if taken == [SectionKind::I] {
+        return catalog.profile(name).map(Section::I).map_err(|e| unlisted(path(), e));
+    }
+    let section = catalog.section(name).map_err(|e| unlisted(path(), e))?;
+    if taken.contains(&section.kind()) {
+        return Ok(section);
+    }
+    let words: Vec<&str> = taken.iter().map(|k| k.words()).collect();
+    Err(AssemblyError::Value {
+        path: path(),
+        problem: format!("{} is {}", section.name(), section.kind().words()),
+        help: format!("{role} of {} is {}", template.name, words.join(" or ")),
+    })
+}
+
 impl<'a> Inputs<'a> {
     /// Reads a spec. Reports all faults that can be found in one pass, with those that the design
     /// code found in its section of the spec.
@@ -46,16 +73,16 @@ impl<'a> Inputs<'a> {
         of_code: Vec<AssemblyError>,
     ) -> Result<Self, AtLeastOne<AssemblyError>> {
         let mut faults = Vec::new();
-        let mut profiles = Vec::new();
+        let mut sections = Vec::new();
         let mut steels = BTreeMap::new();
         let mut wrong: Vec<&str> = Vec::new();
         for (role, member) in &spec.members {
-            match catalog.profile(&member.profile) {
-                Ok(p) => profiles.push((role.clone(), p)),
+            match section(template, role, &member.profile, catalog) {
+                Ok(p) => sections.push((role.clone(), p)),
                 Err(_) if wrong.contains(&member.profile.as_str()) => {}
                 Err(e) => {
                     wrong.push(&member.profile);
-                    faults.push(unlisted(format!("members.{role}.profile"), e));
+                    faults.push(e);
                 }
             }
             match catalog.steel(&member.steel) {
@@ -133,16 +160,21 @@ impl<'a> Inputs<'a> {
         spec_checks::rest(spec, template, mu, &mut faults);
         let given = given(spec, template, &mut faults);
         AtLeastOne::refuse(faults)?;
-        Ok(Self { profiles, steels, bolt, given, mu, preload })
+        Ok(Self { sections, steels, bolt, given, mu, preload })
     }
 
     /// The names known before any parameter is resolved: `role.h`, `bolt.d` and others.
     pub fn scope(&self) -> Scope {
         let mut scope = Scope::default();
+        for (role, section) in &self.sections {
+            for (kind, word, _) in SectionKind::ALL {
+                scope.set(format!("{role}.is_{word}"), Value::Truth(section.kind() == kind));
+            }
+        }
         let mut set =
             |owner: &str, key: &str, v: f64| scope.set(format!("{owner}.{key}"), Value::length(v));
-        for (role, p) in &self.profiles {
-            for (key, v) in [("h", p.h), ("b", p.b), ("tw", p.tw), ("tf", p.tf), ("r", p.r)] {
+        for (role, section) in &self.sections {
+            for (key, v) in section.dimensions() {
                 set(role, key, v);
             }
         }
@@ -163,9 +195,17 @@ impl<'a> Inputs<'a> {
         scope
     }
 
-    /// The profile of a role.
+    /// The section of a role.
+    pub fn section(&self, role: &str) -> Option<Section<'a>> {
+        self.sections.iter().find(|(r, _)| r == role).map(|(_, p)| *p)
+    }
+
+    /// The I section of a role; `None` also where it has another kind of section.
     pub fn profile(&self, role: &str) -> Option<&'a IProfile> {
-        self.profiles.iter().find(|(r, _)| r == role).map(|(_, p)| *p)
+        match self.section(role)? {
+            Section::I(p) => Some(p),
+            Section::Shaped(_) => None,
+        }
     }
 
     /// Adds the material of a part and returns its key: the grade, plus the thickness if the same
@@ -283,9 +323,9 @@ impl<'a> Inputs<'a> {
     /// Catalogue entries used, as role and name.
     pub fn catalogue(&self) -> Vec<(String, String)> {
         let mut out: Vec<(String, String)> = self
-            .profiles
+            .sections
             .iter()
-            .map(|(r, p)| (format!("members.{r}.profile"), p.name.clone()))
+            .map(|(r, p)| (format!("members.{r}.profile"), p.name().to_owned()))
             .collect();
         out.extend(self.steels.values().map(|(path, s)| (path.clone(), s.grade.clone())));
         if let Some((b, g)) = self.bolt {

@@ -95,6 +95,11 @@ impl Sheet {
     pub fn plate(&self, mesh: &TetMesh, symmetry: &[SymmetryPlane]) -> Option<Plate> {
         let body = mesh.bodies.iter().position(|b| *b == self.part)?;
         let (mut kept, mut mirrored) = (self.extent, [false; 3]);
+        // what lies beyond a plane of symmetry is not meshed
+        let beyond = |k: usize| self.oblique.iter().all(|b| b.bounds()[k][1] <= LEDGE);
+        if !self.oblique.is_empty() && symmetry.iter().any(|s| beyond(s.axis)) {
+            return None;
+        }
         // a turned sheet is cut by the planes across its line; of others it has one side alone
         let cuts = symmetry.iter().map(|s| s.axis);
         for k in cuts.filter(|k| self.turn.is_none_or(|t| t.axis == *k)) {
@@ -144,10 +149,15 @@ pub fn sheets(content: &Content, assembly: &Assembly) -> Vec<Sheet> {
     let of_profiles = content.members.iter().flat_map(|m| {
         let flanges = m.flanges.iter().map(|e| (SheetKind::Flange, e));
         let all = flanges.chain(m.web.iter().map(|e| (SheetKind::Web, e)));
-        all.map(|(kind, extent)| {
+        let facets = m.facets.iter().map(|(extent, turn)| {
+            let block = Block::of(extent, turn.axis).turned(turn);
+            Sheet::new(&m.part, SheetKind::Web, *extent).turned(Some(*turn), vec![block])
+        });
+        let flat = all.map(|(kind, extent)| {
             let blocks = m.turn.map(|t| vec![Block::of(extent, t.axis).turned(&t)]);
             Sheet::new(&m.part, kind, *extent).turned(m.turn, blocks.unwrap_or_default())
-        })
+        });
+        flat.chain(facets).collect::<Vec<_>>()
     });
     let plates = content
         .pieces

@@ -28,6 +28,7 @@ pub use parts::{
 };
 pub use simple_joint::{PlateKind, SimpleJointEntry};
 
+use crate::catalog::SectionKind;
 use crate::spec::expr::Expr;
 use crate::spec::loads::LoadSpec;
 use schemars::JsonSchema;
@@ -101,10 +102,17 @@ pub struct MemberRole {
     pub role: String,
     /// What it is.
     pub about: String,
+    /// Kinds of section that it may have; absent: I and H sections alone.
+    #[serde(default = "only_i")]
+    pub sections: Vec<SectionKind>,
     /// Profile of the starter spec.
     pub profile: String,
     /// Steel of the starter spec.
     pub steel: String,
+}
+
+fn only_i() -> Vec<SectionKind> {
+    vec![SectionKind::I]
 }
 
 /// A named intermediate value.

@@ -4,6 +4,7 @@ use super::bolt::{BoltGrade, BoltSize};
 use super::error::CatalogError;
 use super::factor::{FrictionClass, NationalAnnex, PartialFactor};
 use super::profile::{COARSE_TOLERANCE, IProfile, PROPERTY_TOLERANCE};
+use super::shaped::ShapedProfile;
 use super::steel::Steel;
 use super::table::{Entry, Named, RawTable};
 use super::{Catalog, Provenance};
@@ -11,11 +12,15 @@ use bracket_base::diag::Diagnostic;
 use bracket_base::text_file;
 use std::path::Path;
 
-/// The tables compiled into the program. Profiles of shapes that no template uses yet are left out.
-const BUILTIN: [(&str, &str); 13] = [
+/// The tables compiled into the program.
+const BUILTIN: [(&str, &str); 17] = [
     ("catalogs/profiles_i.csv", include_str!("../../../../catalogs/profiles_i.csv")),
     ("catalogs/profiles_i_other.csv", include_str!("../../../../catalogs/profiles_i_other.csv")),
     ("catalogs/profiles_w_aisc.csv", include_str!("../../../../catalogs/profiles_w_aisc.csv")),
+    ("catalogs/profiles_l.csv", include_str!("../../../../catalogs/profiles_l.csv")),
+    ("catalogs/profiles_u.csv", include_str!("../../../../catalogs/profiles_u.csv")),
+    ("catalogs/profiles_hollow.csv", include_str!("../../../../catalogs/profiles_hollow.csv")),
+    ("catalogs/profiles_chs.csv", include_str!("../../../../catalogs/profiles_chs.csv")),
     ("catalogs/bolts.csv", include_str!("../../../../catalogs/bolts.csv")),
     ("catalogs/bolts_preloaded.csv", include_str!("../../../../catalogs/bolts_preloaded.csv")),
     ("catalogs/bolt_grades.csv", include_str!("../../../../catalogs/bolt_grades.csv")),
@@ -48,35 +53,37 @@ enum Kind {
     Friction,
     Factors,
     Annexes,
-    OtherShape,
+    Shaped,
 }
 
 fn kind(table: &RawTable) -> Option<Kind> {
     let any = |columns: &[&str]| columns.iter().any(|c| table.has(c));
     let all = |columns: &[&str]| columns.iter().all(|c| table.has(c));
-    Some(if any(&["forming", "tan_alpha", "flange_slope_percent"]) {
-        Kind::OtherShape
-    } else if all(&["tw_mm", "tf_mm"]) || all(&["name", "h_mm", "b_mm"]) {
-        Kind::Profiles
-    } else if any(&["fyb_MPa", "fub_MPa"]) {
-        Kind::BoltGrades
-    } else if all(&["system", "size"]) {
-        Kind::BoltsPreloaded
-    } else if all(&["size", "d_mm"]) {
-        Kind::Bolts
-    } else if any(&["t_over_mm", "t_up_to_mm"]) {
-        Kind::SteelBands
-    } else if any(&["fy_t_le_40_MPa", "beta_w"]) {
-        Kind::Steels
-    } else if any(&["slip_factor_mu"]) {
-        Kind::Friction
-    } else if any(&["recommended_value"]) {
-        Kind::Factors
-    } else if any(&["annex"]) {
-        Kind::Annexes
-    } else {
-        return None;
-    })
+    Some(
+        if any(&["ro_mm", "tan_alpha", "flange_slope_percent"]) || all(&["name", "d_mm", "t_mm"]) {
+            Kind::Shaped
+        } else if all(&["tw_mm", "tf_mm"]) || all(&["name", "h_mm", "b_mm"]) {
+            Kind::Profiles
+        } else if any(&["fyb_MPa", "fub_MPa"]) {
+            Kind::BoltGrades
+        } else if all(&["system", "size"]) {
+            Kind::BoltsPreloaded
+        } else if all(&["size", "d_mm"]) {
+            Kind::Bolts
+        } else if any(&["t_over_mm", "t_up_to_mm"]) {
+            Kind::SteelBands
+        } else if any(&["fy_t_le_40_MPa", "beta_w"]) {
+            Kind::Steels
+        } else if any(&["slip_factor_mu"]) {
+            Kind::Friction
+        } else if any(&["recommended_value"]) {
+            Kind::Factors
+        } else if any(&["annex"]) {
+            Kind::Annexes
+        } else {
+            return None;
+        },
+    )
 }
 
 impl Catalog {
@@ -174,13 +181,7 @@ impl Catalog {
                 Kind::Friction => insert_all(&mut self.friction, FrictionClass::read(table)?)?,
                 Kind::Factors => insert_all(&mut self.factors, PartialFactor::read(table)?)?,
                 Kind::Annexes => insert_all(&mut self.annexes, NationalAnnex::read(table)?)?,
-                Kind::OtherShape => self.warnings.push(
-                    Diagnostic::input(
-                        "catalog/unused-table",
-                        "hollow, angle and channel sections are not used yet: table skipped",
-                    )
-                    .file(table.file()),
-                ),
+                Kind::Shaped => insert_all(&mut self.shaped, ShapedProfile::read(table)?)?,
             }
         }
         Ok(())

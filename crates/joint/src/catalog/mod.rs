@@ -16,6 +16,7 @@ mod factor;
 mod load;
 mod name;
 mod profile;
+mod shaped;
 mod source;
 mod steel;
 mod table;
@@ -24,6 +25,7 @@ pub use bolt::{BoltGrade, BoltSize, PLAIN_SYSTEM};
 pub use error::CatalogError;
 pub use factor::{FrictionClass, NationalAnnex, PartialFactor};
 pub use profile::{IProfile, PROPERTY_TOLERANCE};
+pub use shaped::{Section, SectionKind, Shape, ShapedProfile};
 pub use source::Source;
 pub use steel::{Band, Steel};
 
@@ -51,6 +53,7 @@ pub struct Provenance {
 #[derive(Clone, Debug, Default)]
 pub struct Catalog {
     profiles: Named<IProfile>,
+    shaped: Named<ShapedProfile>,
     bolts: Named<BoltSize>,
     bolt_grades: Named<BoltGrade>,
     steels: Named<Steel>,
@@ -85,11 +88,33 @@ impl Catalog {
             CatalogError::Unknown { noun, kind, name, .. }
                 if self::name::is_no_i_section(&name) =>
             {
-                let hint = ": members are I or H sections, hot rolled".into();
+                let hint = ": this member takes I and H sections, hot rolled".into();
                 CatalogError::Unknown { noun, kind, name, hint }
             }
             other => other,
         })
+    }
+
+    /// The section with this name, of any kind.
+    pub fn section(&self, name: &str) -> Result<Section<'_>, CatalogError> {
+        if let Some(p) = self.shaped.find(name) {
+            return Ok(Section::Shaped(p));
+        }
+        match self.profiles.get(name) {
+            Ok(p) => Ok(Section::I(p)),
+            Err(_) if self::name::is_no_i_section(name) => Err(self.shaped.unknown(name)),
+            Err(e) => Err(e),
+        }
+    }
+
+    /// The angle, channel or hollow section with this name.
+    pub fn shaped_section(&self, name: &str) -> Result<&ShapedProfile, CatalogError> {
+        self.shaped.get(name)
+    }
+
+    /// All angles, channels and hollow sections, in the order of the files.
+    pub fn shaped(&self) -> &[ShapedProfile] {
+        self.shaped.rows()
     }
 
     /// The steel, by grade (`S235`, `S355 J2+N`). If several standards contain the grade, `name`

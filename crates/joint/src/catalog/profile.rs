@@ -74,7 +74,7 @@ pub const PROPERTY_TOLERANCE: f64 = 0.005;
 pub const COARSE_TOLERANCE: f64 = 0.02;
 
 /// Density of steel \[kg/m³\], EN 1991-1-1 Table A.4 as used in practice.
-const DENSITY: f64 = 7850.0;
+pub(super) const DENSITY: f64 = 7850.0;
 
 /// Difference from which on a row is refused (10 %): a digit or a unit is wrong.
 const CONTRADICTION: f64 = 0.1;

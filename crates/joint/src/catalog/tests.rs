@@ -291,7 +291,7 @@ fn every_shipped_table_has_provenance() {
     let catalog = builtin();
     assert!(catalog.warnings().is_empty());
     let files = catalog.provenance.keys().cloned().collect::<Vec<_>>();
-    assert_eq!(files.len(), 13);
+    assert_eq!(files.len(), 17);
     for p in catalog.profiles() {
         let provenance = catalog.provenance(&p.source.file).expect("provenance");
         assert!(provenance.standard.is_some() && !provenance.read_from.is_empty());
@@ -372,16 +372,16 @@ fn empty_properties_follow_from_the_outline() {
     assert!(d.message.contains("the cell is empty"), "{}", d.message);
 }
 
-/// The project's own folder is a valid user folder. The shapes that are not used yet are skipped
-/// with a warning.
+/// The project's own folder is a valid user folder. Every table of it is read.
 #[test]
 fn the_shipped_folder_loads_as_a_user_folder() {
     let catalog = Catalog::load_dir(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../../catalogs"))
         .expect("loads");
     assert_eq!(catalog.profiles().len(), builtin().profiles().len());
     assert_eq!(catalog.bolts().len(), builtin().bolts().len());
-    let skipped = catalog.warnings().iter().filter(|w| w.code == "catalog/unused-table").count();
-    assert_eq!(skipped, 3);
+    assert_eq!(catalog.shaped().len(), builtin().shaped().len());
+    let unused = catalog.warnings().iter().filter(|w| w.code == "catalog/unused-table").count();
+    assert_eq!(unused, 0);
 }
 
 #[test]

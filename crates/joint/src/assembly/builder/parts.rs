@@ -32,6 +32,15 @@ impl Context<'_> {
             let (mid, s) = (shape.entry.mid.as_ref(), &shape.scope);
             let (whole, planes) = match &shape.body {
                 Body::Profile(_, placed) => (placed.solid(), placed.mid_planes()),
+                Body::Shaped(_, placed) => {
+                    let oblique = placed.oblique_planes().into_iter();
+                    let turned = |p: Vec<_>| match &shape.turn {
+                        Some(t) => p.into_iter().map(|x| t.point(x)).collect(),
+                        None => p,
+                    };
+                    oblique_planes.extend(oblique.map(turned));
+                    (placed.solid(), placed.mid_planes())
+                }
                 Body::Cuboid(x) => {
                     (cuboid(x[0], x[1], x[2]), vec![within(at, mid_plane(s, *x, mid))?])
                 }
@@ -116,6 +125,15 @@ fn convex_pieces(shape: &Shape<'_>, holes: &[Hole]) -> Vec<Solid> {
         (None, Body::Cuboid(x)) => {
             let left = without(*x, &shape.cuts);
             left.into_iter().flat_map(|x| perforated(x, holes)).collect()
+        }
+        (None, Body::Shaped(_, placed)) => {
+            let cut =
+                |left: Vec<_>, c| left.iter().flat_map(|b: &block::Block| b.minus(c)).collect();
+            let left = shape.cuts.iter().fold(placed.blocks(), cut);
+            left.iter().flat_map(|b| around_holes(b, holes)).collect()
+        }
+        (Some(turn), Body::Shaped(_, placed)) if holes.is_empty() && shape.cuts.is_empty() => {
+            placed.blocks().iter().map(|b| turn.solid(&b.solid())).collect()
         }
         (turn, body) => {
             let blocks = shape.plates().into_iter().flatten();

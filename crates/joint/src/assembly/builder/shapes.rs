@@ -11,8 +11,10 @@ use crate::assembly::error::AssemblyError;
 use crate::assembly::evaluate::{entry_fault, within};
 use crate::assembly::part::Placed;
 use crate::assembly::scope::Scope;
+use crate::assembly::shaped::PlacedShape;
 use crate::assembly::template::{BoxEntry, PartEntry, PrismEntry, SolidEntry, TurnEntry};
 use crate::assembly::turn::Turn;
+use crate::catalog::{Section, SectionKind};
 use bracket_base::say;
 
 /// A solid in one turn of its loops.
@@ -32,12 +34,22 @@ impl Shape<'_> {
         let turned = |x: &Extent| self.turn.map(|t| Block::of(x, t.axis).turned(&t));
         match &self.body {
             Body::Profile(_, placed) => placed.blocks().iter().map(turned).collect(),
+            Body::Shaped(_, placed) if placed.is_round() => {
+                placed.blocks().into_iter().map(Some).collect()
+            }
+            Body::Shaped(_, placed) => self.boxes(placed).iter().map(turned).collect(),
             Body::Cuboid(x) => vec![turned(x)],
             Body::Prism(p) => {
                 let whole = p.block();
                 vec![Some(self.turn.map_or_else(|| whole.clone(), |t| whole.turned(&t)))]
             }
         }
+    }
+
+    /// The walls of a section as boxes.
+    fn boxes(&self, placed: &PlacedShape<'_>) -> Vec<Extent> {
+        let walls = placed.walls();
+        walls.flanges.into_iter().chain(walls.webs).collect()
     }
 
     /// Its plates: the box or prism, or each flange and the web. Each is the blocks that cuts leave
@@ -47,6 +59,10 @@ impl Shape<'_> {
         let boxed = |x: &Extent| vec![Block::of(x, axis)];
         let whole = match &self.body {
             Body::Profile(_, placed) => placed.blocks().iter().map(boxed).collect(),
+            Body::Shaped(_, placed) if placed.is_round() => {
+                placed.blocks().into_iter().map(|b| vec![b]).collect()
+            }
+            Body::Shaped(_, placed) => self.boxes(placed).iter().map(boxed).collect(),
             Body::Cuboid(x) => vec![boxed(x)],
             Body::Prism(p) => vec![Block::triangles(p.axis, p.span, &p.outline)],
         };
@@ -91,9 +107,10 @@ fn flanges_and_web(placed: &Placed<'_>, cuts: &[Extent]) -> [Vec<Extent>; 2] {
     [&[upper, lower][..], &[web]].map(|of| of.iter().flat_map(|b| without(*b, cuts)).collect())
 }
 
-/// A length of a profile with its member role, a box, or a plate with an outline.
+/// A length of a section with its member role, a box, or a plate with an outline.
 pub(super) enum Body<'a> {
     Profile(&'a str, Placed<'a>),
+    Shaped(&'a str, PlacedShape<'a>),
     Cuboid(Extent),
     Prism(Outline),
 }
@@ -111,7 +128,7 @@ impl Context<'_> {
             for s in within(at, scope.turns(&solid.each, solid.when.as_ref()))? {
                 let body = match (&solid.profile, &solid.cuboid, &solid.prism) {
                     (Some(p), None, None) => {
-                        let Some(profile) = self.inputs.profile(&p.member) else {
+                        let Some(section) = self.inputs.section(&p.member) else {
                             return entry_fault(at, format!("there is no member `{}`", p.member));
                         };
                         let (along, depth) = (p.along.index(), p.depth.index());
@@ -121,7 +138,31 @@ impl Context<'_> {
                         let span = within(at, s.interval(&[p.from.clone(), p.to.clone()]))?;
                         let centre =
                             p.centre.as_ref().map_or(Ok([0.0; 3]), |c| within(at, s.point(c)))?;
-                        Body::Profile(&p.member, Placed { profile, along, depth, span, centre })
+                        let mut flip = [false; 3];
+                        p.flip.iter().for_each(|k| flip[k.index()] = true);
+                        flips(at, section, along, depth, flip)?;
+                        match section {
+                            Section::I(profile) => {
+                                let placed = Placed { profile, along, depth, span, centre };
+                                Body::Profile(&p.member, placed)
+                            }
+                            Section::Shaped(_) if span[1] - span[0] <= 0.0 => {
+                                return entry_fault(at, "a profile has no length");
+                            }
+                            Section::Shaped(_)
+                                if section.kind() == SectionKind::Chs && solid.turn.is_some() =>
+                            {
+                                let problem = "a circular hollow section lies along an axis of \
+                                               the joint; it cannot be turned";
+                                return entry_fault(at, problem);
+                            }
+                            Section::Shaped(profile) => {
+                                let origin = centre;
+                                let placed =
+                                    PlacedShape { profile, along, depth, span, origin, flip };
+                                Body::Shaped(&p.member, placed)
+                            }
+                        }
                     }
                     (None, Some(b), None) => Body::Cuboid(cuboid(at, &s, b)?),
                     (None, None, Some(p)) => Body::Prism(outline(at, &s, p)?),
@@ -220,6 +261,7 @@ impl Context<'_> {
         let mut boxes = Vec::new();
         for shape in shapes {
             let drawn = match (&shape.turn, &shape.body) {
+                (None, Body::Shaped(_, p)) if !p.is_round() => Vec::new(),
                 (None, Body::Profile(..) | Body::Cuboid(_)) => Vec::new(),
                 // an outline stays one, for drawings
                 (_, Body::Prism(_)) if shape.cuts.is_empty() => {
@@ -245,6 +287,27 @@ impl Context<'_> {
                         along: placed.along,
                         flanges,
                         web,
+                        facets: Vec::new(),
+                        turn,
+                        drawn,
+                        known: false,
+                        steel: steel.clone(),
+                        no_check,
+                    });
+                }
+                Body::Shaped(role, placed) => {
+                    let cuts = if turn.is_some() { &[][..] } else { &cuts };
+                    let walls = placed.walls();
+                    let left = |of: Vec<Extent>| of.into_iter().flat_map(|b| without(b, cuts));
+                    out.members.push(Length {
+                        part: part.clone(),
+                        label: own.unwrap_or_else(|| label.clone()),
+                        role: role.to_owned(),
+                        profile: placed.profile.name.clone(),
+                        along: placed.along,
+                        flanges: left(walls.flanges).collect(),
+                        web: left(walls.webs).collect(),
+                        facets: walls.facets,
                         turn,
                         drawn,
                         known: false,
@@ -293,6 +356,30 @@ impl Context<'_> {
             }));
         }
         Ok(())
+    }
+}
+
+/// Refuses `flip` where it says nothing: along the member, of sections that are symmetrical.
+fn flips(
+    at: &str,
+    section: Section<'_>,
+    along: usize,
+    depth: usize,
+    flip: [bool; 3],
+) -> Result<(), AssemblyError> {
+    let width = 3 - along - depth;
+    let takes = match section.kind() {
+        SectionKind::Angle => &[depth, width][..],
+        SectionKind::Channel => &[width],
+        SectionKind::I | SectionKind::Rhs | SectionKind::Chs => &[],
+    };
+    match (0..3).find(|k| flip[*k] && !takes.contains(k)) {
+        Some(k) => {
+            let axis = ["x", "y", "z"][k];
+            let kind = section.kind().words();
+            entry_fault(at, format!("`flip` along {axis} leaves {kind} as it is: leave it out"))
+        }
+        None => Ok(()),
     }
 }
 

@@ -127,8 +127,13 @@ pub struct ProfileEntry {
     pub from: Expr,
     /// The other end.
     pub to: Expr,
-    /// Position of the member's axis, x, y, z; the component along the axis is ignored.
+    /// Position of the member's axis, x, y, z; the component along the axis is ignored. Of an angle
+    /// it is the heel, of a channel the middle of the back of its web.
     pub centre: Option<[Expr; 3]>,
+    /// Axes along which the legs of an angle or the flanges of a channel point the other way;
+    /// absent: they point to where the axes point.
+    #[serde(default)]
+    pub flip: Vec<Axis>,
 }
 
 /// A box; the order of the two ends does not matter.
