@@ -16,8 +16,8 @@ const PULL: &str = "section: pulled, traction: [1 MPa, 0 MPa, 0 MPa]";
 
 const ANY: &str = "[i, angle, channel, rhs, chs]";
 
-/// A length of section along x. Under [`PULL`] both faces are free to contract; another load acts on
-/// an end that stays plane and keeps its shape, against a foot that is held.
+/// A length of section along x. Under [`PULL`] both faces are free to contract; another load acts
+/// on an end that stays plane and keeps its shape, against a foot that is held.
 fn length(
     profile: &str,
     sections: &str,
@@ -101,7 +101,8 @@ fn a_tube_carries_its_area_and_its_plastic_modulus() {
     };
     let (d, t) = (48.3, 5.0);
     let w_pl = 2.0 * (first_moment(d / 2.0) - first_moment(d / 2.0 - t));
-    // the foot and the end keep the circle round: up to 1e-3 more than a tube that is free to ovalise
+    // the foot and the end keep the circle round: up to 1e-3 more than a tube that is free to
+    // ovalise
     for (load, exact, factor, held) in
         [(PULL, 235.0, 2.0, 1e-6), ("My: 1 kNm", w_pl * 235e-6, 3.0, 2e-3)]
     {

@@ -209,17 +209,22 @@ impl Block {
 
 /// The prism of an outline, counter-clockwise, along an axis.
 pub fn prism(axis: usize, span: [f64; 2], outline: &[[f64; 2]]) -> Solid {
-    let mut origin = [0.0; 3];
-    origin[axis] = span[0];
     let n = outline.len();
-    Solid::Prism {
-        origin,
-        u: unit((axis + 1) % 3),
-        v: unit((axis + 2) % 3),
-        start: outline[0],
-        edges: (1..=n).map(|i| OutlineEdge::Line { to: outline[i % n] }).collect(),
-        length: span[1] - span[0],
-    }
+    let edges = (1..=n).map(|i| OutlineEdge::Line { to: outline[i % n] }).collect();
+    extruded(axis, span, [0.0; 3], outline[0], edges)
+}
+
+/// An outline on the next two axes about `origin`, extruded over `span` along an axis.
+pub fn extruded(
+    axis: usize,
+    span: [f64; 2],
+    mut origin: [f64; 3],
+    start: [f64; 2],
+    edges: Vec<OutlineEdge>,
+) -> Solid {
+    origin[axis] = span[0];
+    let [u, v] = [1, 2].map(|k| unit((axis + k) % 3));
+    Solid::Prism { origin, u, v, start, edges, length: span[1] - span[0] }
 }
 
 /// Twice the area of an outline \[mm²\], positive where it runs counter-clockwise.

@@ -1,7 +1,8 @@
 //! Lengths of rolled sections as solids, with their convex pieces.
 
 use super::assembly::{MidPlane, OutlineEdge, Solid};
-use super::axes::{unit, without};
+use super::axes::without;
+use super::block::extruded;
 use super::extent::Extent;
 use super::hole::{Hole, perforated};
 use super::turn::Turn;
@@ -45,17 +46,7 @@ impl Placed<'_> {
     }
 
     fn prism(&self, start: [f64; 2], edges: Vec<OutlineEdge>) -> Solid {
-        let (u, v) = self.frame();
-        let mut origin = self.centre;
-        origin[self.along] = self.span[0];
-        Solid::Prism {
-            origin,
-            u: unit(u),
-            v: unit(v),
-            start,
-            edges,
-            length: self.span[1] - self.span[0],
-        }
+        extruded(self.along, self.span, self.centre, start, edges)
     }
 
     /// The exact section with its root fillets, extruded.

@@ -3,7 +3,7 @@
 
 use super::assembly::{MidPlane, OutlineEdge, Solid};
 use super::axes::unit;
-use super::block::{Block, twice_area};
+use super::block::{Block, extruded, twice_area};
 use super::extent::Extent;
 use super::facets::{flatten_outline, polygon_radius, regular_polygon};
 use super::turn::Turn;
@@ -79,11 +79,7 @@ impl PlacedShape<'_> {
             None => OutlineEdge::Line { to },
         };
         let edges = corners.iter().skip(1).chain(corners.first()).map(edge).collect();
-        let mut origin = self.origin;
-        origin[self.along] = self.span[0];
-        let [u, v] = [1, 2].map(|k| unit((self.along + k) % 3));
-        let length = self.span[1] - self.span[0];
-        Solid::Prism { origin, u, v, start: corners[0].0, edges, length }
+        extruded(self.along, self.span, self.origin, corners[0].0, edges)
     }
 
     fn cylinder(&self, radius: f64) -> Solid {
@@ -198,21 +194,21 @@ impl PlacedShape<'_> {
             Shape::Angle { h, b, t, .. } => Walls {
                 flanges: vec![self.wall([t, b], [0.0, t])],
                 webs: vec![self.wall([0.0, t], [0.0, h])],
-                facets: Vec::new(),
+                ..Walls::default()
             },
             Shape::Channel { h, b, tw, tf, .. } => Walls {
                 flanges: [[h / 2.0 - tf, h / 2.0], [-h / 2.0, tf - h / 2.0]]
                     .map(|deep| self.wall([0.0, b], deep))
                     .to_vec(),
                 webs: vec![self.wall([0.0, tw], [tf - h / 2.0, h / 2.0 - tf])],
-                facets: Vec::new(),
+                ..Walls::default()
             },
             Shape::Rhs { h, b, t, .. } => {
                 let (x, y) = (b / 2.0, h / 2.0);
                 Walls {
                     flanges: vec![self.wall([-x, x], [y - t, y]), self.wall([-x, x], [-y, t - y])],
                     webs: [[x - t, x], [-x, t - x]].map(|w| self.wall(w, [t - y, y - t])).to_vec(),
-                    facets: Vec::new(),
+                    ..Walls::default()
                 }
             }
             Shape::Chs { d, t } => {

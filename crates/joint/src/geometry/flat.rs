@@ -7,7 +7,6 @@
 //! remesh.
 
 use crate::assembly::assembly::Solid;
-pub use crate::assembly::facets::polygon_radius;
 use crate::assembly::facets::{flatten_outline, regular_polygon};
 use bracket_base::math::vec3::{V3, along, cross, dot, unit};
 

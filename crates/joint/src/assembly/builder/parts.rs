@@ -127,9 +127,7 @@ fn convex_pieces(shape: &Shape<'_>, holes: &[Hole]) -> Vec<Solid> {
             left.into_iter().flat_map(|x| perforated(x, holes)).collect()
         }
         (None, Body::Shaped(_, placed)) => {
-            let cut =
-                |left: Vec<_>, c| left.iter().flat_map(|b: &block::Block| b.minus(c)).collect();
-            let left = shape.cuts.iter().fold(placed.blocks(), cut);
+            let left = shape.left(placed.blocks());
             left.iter().flat_map(|b| around_holes(b, holes)).collect()
         }
         (Some(turn), Body::Shaped(_, placed)) if holes.is_empty() && shape.cuts.is_empty() => {

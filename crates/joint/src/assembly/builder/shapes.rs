@@ -11,7 +11,7 @@ use crate::assembly::error::AssemblyError;
 use crate::assembly::evaluate::{entry_fault, within};
 use crate::assembly::part::Placed;
 use crate::assembly::scope::Scope;
-use crate::assembly::shaped::PlacedShape;
+use crate::assembly::shaped::{PlacedShape, Walls};
 use crate::assembly::template::{BoxEntry, PartEntry, PrismEntry, SolidEntry, TurnEntry};
 use crate::assembly::turn::Turn;
 use crate::catalog::{Section, SectionKind};
@@ -31,50 +31,42 @@ pub(super) struct Shape<'a> {
 impl Shape<'_> {
     /// Each of its plates before anything is cut out of it, where it is turned or has an outline.
     pub fn uncut(&self) -> Vec<Option<Block>> {
-        let turned = |x: &Extent| self.turn.map(|t| Block::of(x, t.axis).turned(&t));
+        let boxed = |x: Extent| self.turn.map(|t| Block::of(&x, t.axis).turned(&t));
         match &self.body {
-            Body::Profile(_, placed) => placed.blocks().iter().map(turned).collect(),
             Body::Shaped(_, placed) if placed.is_round() => {
                 placed.blocks().into_iter().map(Some).collect()
             }
-            Body::Shaped(_, placed) => self.boxes(placed).iter().map(turned).collect(),
-            Body::Cuboid(x) => vec![turned(x)],
-            Body::Prism(p) => {
-                let whole = p.block();
-                vec![Some(self.turn.map_or_else(|| whole.clone(), |t| whole.turned(&t)))]
-            }
+            Body::Prism(p) => vec![Some(self.turned(p.block()))],
+            body => body.boxes().into_iter().map(boxed).collect(),
         }
     }
 
-    /// The walls of a section as boxes.
-    fn boxes(&self, placed: &PlacedShape<'_>) -> Vec<Extent> {
-        let walls = placed.walls();
-        walls.flanges.into_iter().chain(walls.webs).collect()
+    /// A block as the solid is turned.
+    fn turned(&self, block: Block) -> Block {
+        match &self.turn {
+            Some(turn) => block.turned(turn),
+            None => block,
+        }
+    }
+
+    /// What the cuts leave of a plate, turned.
+    pub fn left(&self, plate: Vec<Block>) -> Vec<Block> {
+        let cut = |left: Vec<Block>, c: &Extent| left.iter().flat_map(|b| b.minus(c)).collect();
+        self.cuts.iter().fold(plate.into_iter().map(|b| self.turned(b)).collect(), cut)
     }
 
     /// Its plates: the box or prism, or each flange and the web. Each is the blocks that cuts leave
     /// of it.
     pub fn plates(&self) -> Vec<Vec<Block>> {
         let axis = self.turn.map_or(2, |t| t.axis);
-        let boxed = |x: &Extent| vec![Block::of(x, axis)];
-        let whole = match &self.body {
-            Body::Profile(_, placed) => placed.blocks().iter().map(boxed).collect(),
+        let whole: Vec<Vec<Block>> = match &self.body {
             Body::Shaped(_, placed) if placed.is_round() => {
                 placed.blocks().into_iter().map(|b| vec![b]).collect()
             }
-            Body::Shaped(_, placed) => self.boxes(placed).iter().map(boxed).collect(),
-            Body::Cuboid(x) => vec![boxed(x)],
             Body::Prism(p) => vec![Block::triangles(p.axis, p.span, &p.outline)],
+            body => body.boxes().iter().map(|x| vec![Block::of(x, axis)]).collect(),
         };
-        let turned = |b: Block| match &self.turn {
-            Some(turn) => b.turned(turn),
-            None => b,
-        };
-        let cut = |left: Vec<Block>, c: &Extent| left.iter().flat_map(|b| b.minus(c)).collect();
-        let left = |plate: Vec<Block>| -> Vec<Block> {
-            self.cuts.iter().fold(plate.into_iter().map(turned).collect(), cut)
-        };
-        whole.into_iter().map(left).collect()
+        whole.into_iter().map(|plate| self.left(plate)).collect()
     }
 }
 
@@ -101,18 +93,43 @@ impl Outline {
     }
 }
 
-/// The flanges and the web of a profile without what is cut out.
-fn flanges_and_web(placed: &Placed<'_>, cuts: &[Extent]) -> [Vec<Extent>; 2] {
-    let [upper, lower, web] = placed.blocks();
-    [&[upper, lower][..], &[web]].map(|of| of.iter().flat_map(|b| without(*b, cuts)).collect())
-}
-
 /// A length of a section with its member role, a box, or a plate with an outline.
 pub(super) enum Body<'a> {
     Profile(&'a str, Placed<'a>),
     Shaped(&'a str, PlacedShape<'a>),
     Cuboid(Extent),
     Prism(Outline),
+}
+
+impl Body<'_> {
+    /// Its walls that are boxes before any turn: those of a section, or the box. A round section
+    /// and an outline have none.
+    fn boxes(&self) -> Vec<Extent> {
+        match self {
+            Body::Profile(_, placed) => placed.blocks().to_vec(),
+            Body::Shaped(_, placed) => {
+                let walls = placed.walls();
+                walls.flanges.into_iter().chain(walls.webs).collect()
+            }
+            Body::Cuboid(x) => vec![*x],
+            Body::Prism(_) => Vec::new(),
+        }
+    }
+
+    /// A length of a section: its role, the section's name, the axis and the walls; `None` of other
+    /// bodies.
+    fn section(&self) -> Option<(&str, &str, usize, Walls)> {
+        match self {
+            Body::Profile(role, p) => {
+                let [upper, lower, web] = p.blocks();
+                let walls =
+                    Walls { flanges: vec![upper, lower], webs: vec![web], ..Walls::default() };
+                Some((*role, p.profile.name.as_str(), p.along, walls))
+            }
+            Body::Shaped(role, p) => Some((*role, p.profile.name.as_str(), p.along, p.walls())),
+            Body::Cuboid(_) | Body::Prism(_) => None,
+        }
+    }
 }
 
 impl Context<'_> {
@@ -274,37 +291,18 @@ impl Context<'_> {
                 |t: &Option<String>| t.as_ref().map(|t| within(at, scope.words(t))).transpose();
             let own = text(&solid.label)?;
             let no_check = text(&solid.no_check)?.or(text(&entry.no_check)?);
-            match body {
-                Body::Profile(role, placed) => {
-                    // the cuts of a turned profile have other axes: `drawn` shows them
+            match &body {
+                Body::Profile(..) | Body::Shaped(..) => {
+                    let Some((role, profile, along, walls)) = body.section() else { continue };
+                    // the cuts of a turned section have other axes: `drawn` shows them
                     let cuts = if turn.is_some() { &[][..] } else { &cuts };
-                    let [flanges, web] = flanges_and_web(&placed, cuts);
-                    out.members.push(Length {
-                        part: part.clone(),
-                        label: own.unwrap_or_else(|| label.clone()),
-                        role: role.to_owned(),
-                        profile: placed.profile.name.clone(),
-                        along: placed.along,
-                        flanges,
-                        web,
-                        facets: Vec::new(),
-                        turn,
-                        drawn,
-                        known: false,
-                        steel: steel.clone(),
-                        no_check,
-                    });
-                }
-                Body::Shaped(role, placed) => {
-                    let cuts = if turn.is_some() { &[][..] } else { &cuts };
-                    let walls = placed.walls();
                     let left = |of: Vec<Extent>| of.into_iter().flat_map(|b| without(b, cuts));
                     out.members.push(Length {
                         part: part.clone(),
                         label: own.unwrap_or_else(|| label.clone()),
                         role: role.to_owned(),
-                        profile: placed.profile.name.clone(),
-                        along: placed.along,
+                        profile: profile.to_owned(),
+                        along,
                         flanges: left(walls.flanges).collect(),
                         web: left(walls.webs).collect(),
                         facets: walls.facets,
@@ -317,8 +315,8 @@ impl Context<'_> {
                 }
                 Body::Cuboid(extent) => {
                     let left = match turn {
-                        Some(_) => vec![extent],
-                        None => without(extent, &cuts),
+                        Some(_) => vec![*extent],
+                        None => without(*extent, &cuts),
                     };
                     let piece = |e| (e, turn, None, drawn.clone(), own.clone(), no_check.clone());
                     boxes.extend(left.into_iter().map(piece));

@@ -90,7 +90,7 @@ fn contact_of_two_drilled_plates_and_of_shank_and_hole_is_exact() {
         length: 25.0,
         segments: 12,
     });
-    let r = crate::geometry::flat::polygon_radius(9.0, 12);
+    let r = crate::assembly::facets::polygon_radius(9.0, 12);
     let mantle = 24.0 * r * (std::f64::consts::PI / 12.0).sin() * 15.0;
     let area = contact_area(&body(&shank, vec![]), &body(&a, vec![]), None);
     assert!((area / mantle - 1.0).abs() < 1e-5, "{area} {mantle}");
@@ -114,7 +114,7 @@ fn contact_is_restricted_to_its_surface() {
     let shank = part(shank);
     let on =
         Surface::Mantle { base: [4.0, 0.0, 5.0], axis: [1.0, 0.0, 0.0], radius: 9.0, length: 5.0 };
-    let r = crate::geometry::flat::polygon_radius(9.0, 12);
+    let r = crate::assembly::facets::polygon_radius(9.0, 12);
     let exact = 24.0 * r * (std::f64::consts::PI / 12.0).sin() * 5.0;
     let found = contact_area(&body(&shank, vec![]), &body(&a, vec![]), Some(&on));
     assert!((found / exact - 1.0).abs() < 1e-5, "{found} {exact}");
