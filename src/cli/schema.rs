@@ -139,7 +139,8 @@ fn parameter(p: &Parameter) -> Value {
 }
 
 /// The entries of `hand_checks`, by family.
-const FAMILIES: [&str; 3] = ["EndPlateEntry", "SimpleJointEntry", "CoverSpliceEntry"];
+const FAMILIES: [&str; 4] =
+    ["EndPlateEntry", "SimpleJointEntry", "CoverSpliceEntry", "ColumnBaseEntry"];
 
 /// The schema of a template, or of a template that extends another one. In the latter every key
 /// except `extends` may be left out, and in the entries of lists every key except the name.

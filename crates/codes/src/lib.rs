@@ -7,6 +7,7 @@
 
 pub mod check;
 pub mod classification;
+pub mod column_base;
 pub mod component_method;
 pub mod cover_splice;
 pub mod design_code;
@@ -25,6 +26,7 @@ pub mod whole_joint;
 pub mod worked;
 
 pub use check::{Binding, Check, CheckId, Status, Step, Topic, Unit};
+pub use column_base::base_checks;
 pub use cover_splice::splice_checks;
 pub use end_plate::{Comparison, HandChecks, JointStiffness, MomentAxial, PureMoment, hand_checks};
 pub use error::CheckError;

@@ -1,6 +1,7 @@
 //! The checks of a whole joint: those of its end plates, and what its load cases need besides.
 
 use super::check::{Check, Topic};
+use super::column_base::base_checks;
 use super::cover_splice::splice_checks;
 use super::end_plate::{HandChecks, hand_checks};
 use super::simple_joint::simple_checks;
@@ -32,6 +33,7 @@ fn of_family(facts: &Facts) -> HandChecks {
         Facts::EndPlate(e) => hand_checks(e),
         Facts::Simple(e) => simple_checks(e),
         Facts::CoverSplice(e) => splice_checks(e),
+        Facts::ColumnBase(e) => base_checks(e),
     }
 }
 

@@ -172,4 +172,7 @@ pub struct DesignStrengths {
     pub perforated: BTreeMap<String, Design>,
     /// Resistances of the bolts by the name of their part, for every bolt of the assembly.
     pub bolts: BTreeMap<String, BoltLimits>,
+    /// Bearing strength of the concrete by the name of the support's face, for every support on
+    /// concrete.
+    pub ground: BTreeMap<String, Design>,
 }

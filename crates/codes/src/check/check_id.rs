@@ -101,6 +101,18 @@ ids! {
     WebCoverNetBending "bending of the web covers with axial force beside their holes",
     WebCoverBuckling "buckling of the web covers between the bolts",
     CoverClearOfRoot "cover clear of the root fillet",
+    // column bases
+    BaseStrength "bearing strength of the concrete",
+    BaseGrout "grout under the base plate",
+    BaseCompression "compression of the base on its effective area",
+    BaseFlangeCompression "compression of the base under a flange",
+    BaseTension "tension of the base at an anchor row",
+    BaseMoment "moment resistance of the base at constant eccentricity",
+    BaseShear "shear of the base by friction and anchors",
+    AnchorShear "shear resistance of an anchor bolt",
+    AnchorShearAndTension "shear and tension of an anchor bolt",
+    Anchorage "anchorage in the concrete by EN 1992-4",
+    BaseRigidLength "length of the column from which the base is rigid",
     // welds
     WeldSimplified "fillet weld, simplified method",
     WeldDirectional "fillet weld, directional method",

@@ -1,11 +1,12 @@
 //! A design code with its partial factors.
 
 use crate::eurocode::bolts::shank_strength;
+use crate::eurocode::concrete;
 use crate::eurocode::grip;
 use crate::eurocode::welds::shear_strength;
 use crate::eurocode::yielding::{net_strength, yield_strength};
 use bracket_joint::assembly::assembly::Grip;
-use bracket_joint::assembly::{Assembly, Joint};
+use bracket_joint::assembly::{Assembly, Foundation, Joint};
 use bracket_joint::spec::code::{Edition, PartialFactors};
 use bracket_joint::strength::{
     BoltLimits, BoltShank, Design, DesignStrengths, Nominal, NominalStrength, WeldSteel,
@@ -73,6 +74,15 @@ impl DesignCode {
         }
     }
 
+    /// Design bearing strength of the concrete under a base plate.
+    pub fn bearing_strength(&self, foundation: &Foundation) -> Design {
+        match self {
+            Self::En1993_2005(f) => {
+                Design::new(concrete::bearing_strength(foundation, f.concrete).value)
+            }
+        }
+    }
+
     /// Design yield strength of a material; `None` if it does not yield.
     pub fn strength(&self, nominal: &NominalStrength) -> Option<Design> {
         match nominal {
@@ -95,7 +105,12 @@ impl DesignCode {
             }
         }
         let (welds, grips) = (assembly.welds.iter(), assembly.grips.iter());
+        let ground = assembly
+            .supports
+            .iter()
+            .filter_map(|s| Some((s.face.clone(), self.bearing_strength(s.ground.as_ref()?))));
         DesignStrengths {
+            ground: ground.collect(),
             materials,
             perforated,
             welds: welds.map(|w| (w.name.clone(), self.weld_strength(&w.steel))).collect(),

@@ -8,7 +8,7 @@ use bracket_joint::assembly::assembly::{Grip, Ply, Room};
 use bracket_joint::assembly::{Facts, Joint};
 use bracket_joint::catalog::{BoltSize, Catalog};
 use bracket_joint::spec::ConnectionSpec;
-use bracket_joint::spec::code::PartialFactors;
+use bracket_joint::spec::code::{ConcreteFactors, PartialFactors};
 use bracket_joint::strength::{BoltShank, Design, Nominal, NominalStrength, WeldSteel};
 use std::f64::consts::PI;
 use std::path::Path;
@@ -32,6 +32,7 @@ fn code(gamma_m0: f64, gamma_m2: f64) -> DesignCode {
         gamma_m3: 1.25,
         gamma_m3_ser: 1.1,
         gamma_m7: 1.1,
+        concrete: ConcreteFactors::RECOMMENDED,
     })
 }
 

@@ -33,7 +33,7 @@ impl WeldItem {
 pub fn welds_list(facts: Option<&Facts>, joint: &Content) -> Vec<WeldItem> {
     let mut out = match facts {
         Some(Facts::EndPlate(e)) => of_end_plate(e, joint.end_plates()),
-        Some(Facts::Simple(_) | Facts::CoverSplice(_)) | None => Vec::new(),
+        Some(Facts::Simple(_) | Facts::CoverSplice(_) | Facts::ColumnBase(_)) | None => Vec::new(),
     };
     out.extend(joint.seams.iter().map(|s| {
         let [a, b] = &s.between;

@@ -7,6 +7,7 @@ pub mod bolt_group;
 pub mod bolt_length;
 pub mod bolts;
 pub mod column_curve;
+pub mod concrete;
 pub mod grip;
 pub mod holes;
 pub mod i_section;

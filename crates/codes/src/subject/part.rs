@@ -80,6 +80,12 @@ pub enum Part {
     FlangeBolts,
     /// The bolts of a web on one side of the splice axis.
     WebBolts,
+    /// The plate under a column.
+    BasePlate,
+    /// The anchor bolts of a base.
+    Anchors,
+    /// The concrete under a base plate.
+    Concrete,
     /// The bolts.
     Bolts,
     /// The rows of bolts.
@@ -135,6 +141,9 @@ impl Part {
             Part::WebCovers => "web covers",
             Part::FlangeBolts => "flange bolts",
             Part::WebBolts => "web bolts",
+            Part::BasePlate => "base plate",
+            Part::Anchors => "anchor bolts",
+            Part::Concrete => "concrete",
             Part::Bolts => "bolts",
             Part::BoltRows => "bolt rows",
             Part::Holes => "holes",

@@ -4,6 +4,7 @@
 //! It is built from the spec, the template and the catalogue. `geometry` turns its solids into a
 //! CAD script; `mesh` and `model` also read it.
 
+use super::foundation::Foundation;
 use crate::catalog::{BoltGrade, BoltSize};
 use crate::strength::{Nominal, NominalStrength, WeldSteel};
 use bracket_engine::model::FrictionLaw;
@@ -347,6 +348,9 @@ pub struct FaceSupport {
     pub face: String,
     /// True for each of x, y, z that is held at zero.
     pub fix: [bool; 3],
+    /// The concrete that the face stands on, in place of components that are held; `None`: none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub ground: Option<Foundation>,
 }
 
 /// The load on a named face.

@@ -27,3 +27,8 @@ pub struct CodeValues {
     /// Faults in what the spec says about the code.
     pub faults: Vec<AssemblyError>,
 }
+
+/// Whether a resolved value is a factor of concrete, by its name.
+pub(super) fn of_concrete(name: &str) -> bool {
+    matches!(name, "code.gamma_c" | "code.alpha_cc")
+}

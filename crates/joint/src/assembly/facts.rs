@@ -2,8 +2,10 @@
 
 use super::actions::PlaneActions;
 use super::assembly::Assembly;
+use super::base_entry::{self, column_base};
 use super::builder::Context;
 use super::code_values::CodeValues;
+use super::column_base::ColumnBase;
 use super::column_span::column_span;
 use super::content::Content;
 use super::cover_splice::CoverSplice;
@@ -28,6 +30,8 @@ pub enum Facts {
     Simple(SimpleJoint),
     /// A splice of beams with bolted cover plates.
     CoverSplice(Box<CoverSplice>),
+    /// A column on a plate with anchors, on concrete.
+    ColumnBase(Box<ColumnBase>),
 }
 
 impl Facts {
@@ -54,6 +58,10 @@ impl Facts {
             }
             HandCheckEntry::CoverSplice(entry) => {
                 Facts::CoverSplice(Box::new(cover_splice(context, entry, code, actions)?))
+            }
+            HandCheckEntry::ColumnBase(entry) => {
+                let of = (assembly, frames);
+                Facts::ColumnBase(Box::new(column_base(context, entry, code, of, actions)?))
             }
         };
         Ok(Some(facts))
@@ -91,6 +99,11 @@ impl Facts {
                 seen.not_checked = expected.compare(content, assembly)?;
                 content.not_checked.clone_from(&seen.not_checked);
             }
+            (Facts::ColumnBase(seen), HandCheckEntry::ColumnBase(entry)) => {
+                let expected = base_entry::expected(seen, entry, frame()?);
+                seen.not_checked = expected.compare(content, assembly)?;
+                content.not_checked.clone_from(&seen.not_checked);
+            }
             // the facts are those of the entry
             _ => {}
         }
@@ -111,6 +124,7 @@ impl Facts {
             Facts::EndPlate(e) => &e.actions,
             Facts::Simple(e) => &e.actions,
             Facts::CoverSplice(e) => &e.actions,
+            Facts::ColumnBase(e) => &e.actions,
         }
     }
 }

@@ -3,7 +3,7 @@
 use super::actions;
 use super::assembly::{Assembly, Part};
 use super::builder::{BoltLine, Context};
-use super::code_values::CodeValues;
+use super::code_values::{CodeValues, of_concrete};
 use super::content::Content;
 use super::coverage;
 use super::error::AssemblyError;
@@ -169,7 +169,10 @@ pub fn build_from(
     let mut resolved = resolved;
     resolved.extend(inputs.preload_resolved(&spec.value));
     resolved.push(inputs.friction_resolved(&spec.value));
-    resolved.extend(code.resolved);
+    // the factors of concrete count where something stands on it, or where the spec gives them
+    let on_concrete = assembly.supports.iter().any(|s| s.ground.is_some());
+    let counts = |r: &Resolved| on_concrete || r.given || !of_concrete(&r.name);
+    resolved.extend(code.resolved.into_iter().filter(counts));
     Ok(Joint {
         assembly,
         resolved,

@@ -45,6 +45,7 @@ pub(super) fn notes(
     let fillets = match seen {
         Some(Facts::EndPlate(e)) => e.flange_throat > 0.0 || e.web_throat > 0.0,
         Some(Facts::Simple(e)) => e.throat > 0.0,
+        Some(Facts::ColumnBase(e)) => e.flange_throat > 0.0 || e.web_throat > 0.0,
         Some(Facts::CoverSplice(_)) | None => false,
     };
     if !spec.welds.is_default() && !fillets {

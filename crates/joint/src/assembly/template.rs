@@ -4,6 +4,7 @@
 //! a template by name.
 
 mod boundary;
+mod column_base;
 mod common;
 mod connections;
 mod cover_splice;
@@ -14,6 +15,7 @@ mod parts;
 mod simple_joint;
 
 pub use boundary::{ClearanceEntry, EndEntry, SectionEntry, SupportEntry};
+pub use column_base::ColumnBaseEntry;
 pub use common::{Axis, Loop, RectangleEntry};
 pub use connections::{BoltEntry, ContactEntry, GripEntry, WeldEntry};
 pub use cover_splice::CoverSpliceEntry;

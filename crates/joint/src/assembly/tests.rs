@@ -4,7 +4,7 @@ use super::assembly::{Action, FaceLoad, OutlineEdge, Part, PartRole, Solid, Surf
 use super::{CodeValues, Joint, build};
 use crate::catalog::Catalog;
 use crate::spec::ConnectionSpec;
-use crate::spec::code::{Edition, PartialFactors};
+use crate::spec::code::{ConcreteFactors, Edition, PartialFactors};
 use crate::strength::{Nominal, NominalStrength};
 use bracket_base::diag::Diagnostics;
 use bracket_base::yaml;
@@ -30,6 +30,7 @@ pub(super) fn code() -> CodeValues {
             gamma_m3: 1.0,
             gamma_m3_ser: 1.0,
             gamma_m7: 1.0,
+            concrete: ConcreteFactors::RECOMMENDED,
         },
         annex: None,
         resolved: Vec::new(),

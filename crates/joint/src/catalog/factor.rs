@@ -151,6 +151,15 @@ pub struct NationalAnnex {
     /// γ_M7 \[-\].
     #[serde(rename = "gamma_M7", skip_serializing_if = "Option::is_none")]
     pub gamma_m7: Option<f64>,
+    /// γ_c of concrete \[-\].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub gamma_c: Option<f64>,
+    /// α_cc of concrete \[-\].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub alpha_cc: Option<f64>,
+    /// How the values of concrete were obtained.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub concrete_basis: Option<String>,
     /// The national annexes that the values are taken from.
     pub standard: String,
     /// How the values were obtained.
@@ -174,7 +183,7 @@ impl NationalAnnex {
             "standard",
             "basis",
         ],
-        optional: &[],
+        optional: &["gamma_c", "alpha_cc", "concrete_basis"],
     };
 
     /// Reads a table of national annexes.
@@ -193,6 +202,9 @@ impl NationalAnnex {
                     gamma_m3: factor("gamma_M3")?,
                     gamma_m3_ser: factor("gamma_M3_ser")?,
                     gamma_m7: factor("gamma_M7")?,
+                    gamma_c: factor("gamma_c")?,
+                    alpha_cc: factor("alpha_cc")?,
+                    concrete_basis: row.text_or_empty("concrete_basis"),
                     standard: row.text("standard")?,
                     basis: row.text("basis")?,
                     source: row.source(),

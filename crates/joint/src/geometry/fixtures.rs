@@ -273,7 +273,7 @@ pub(crate) fn paper_joint() -> Assembly {
             },
             imprint: true,
         });
-        supports.push(FaceSupport { face: face.into(), fix: [true; 3] });
+        supports.push(FaceSupport { face: face.into(), fix: [true; 3], ground: None });
         parts.push(p);
         parts.push(b);
     }
@@ -365,7 +365,7 @@ pub(crate) fn lap_joint() -> Assembly {
             contact("BOLT", "LOWER", None),
         ],
         faces: vec![face("BASE", "LOWER", -40.0), face("PULL", "UPPER", 40.0)],
-        supports: vec![FaceSupport { face: "BASE".into(), fix: [true; 3] }],
+        supports: vec![FaceSupport { face: "BASE".into(), fix: [true; 3], ground: None }],
         loads: vec![FaceLoad {
             face: "PULL".into(),
             case: "PULL".into(),

@@ -33,6 +33,13 @@ pub struct Code {
     /// Partial factor of the preload of bolts, 0.5 to 3.
     #[serde(rename = "gamma_M7", skip_serializing_if = "Option::is_none")]
     pub gamma_m7: Option<f64>,
+    /// Partial factor of concrete, 0.5 to 3. It counts where a joint stands on concrete.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub gamma_c: Option<f64>,
+    /// Coefficient α_cc of the strength of concrete, 0.8 to 1. It counts where a joint stands on
+    /// concrete.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub alpha_cc: Option<f64>,
     /// Table the yield strengths come from.
     pub fy_source: FySource,
     /// Whether prying forces develop in T-stubs.
@@ -55,6 +62,23 @@ pub struct PartialFactors {
     pub gamma_m3_ser: f64,
     /// γ_M7: preload of bolts.
     pub gamma_m7: f64,
+    /// Those of concrete; the facts of a joint on concrete show them.
+    #[serde(skip)]
+    pub concrete: ConcreteFactors,
+}
+
+/// Factors of the strength of concrete, EN 1992-1-1:2004.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct ConcreteFactors {
+    /// γ_c, 2.4.2.4.
+    pub gamma_c: f64,
+    /// α_cc, 3.1.6(1).
+    pub alpha_cc: f64,
+}
+
+impl ConcreteFactors {
+    /// The values that the code recommends.
+    pub const RECOMMENDED: Self = Self { gamma_c: 1.5, alpha_cc: 1.0 };
 }
 
 /// Whether prying forces develop in T-stubs.
@@ -85,6 +109,8 @@ impl Default for Code {
             gamma_m3: None,
             gamma_m3_ser: None,
             gamma_m7: None,
+            gamma_c: None,
+            alpha_cc: None,
             fy_source: FySource::Table31,
             prying: PryingRule::ByLength,
         }

@@ -31,6 +31,7 @@ impl JointDrawings {
                 frame: Frame::of(e),
             },
             Some(Facts::Simple(e)) => Self::of_parts(content, Some(e.hole), language),
+            Some(Facts::ColumnBase(e)) => Self::of_parts(content, Some(e.hole), language),
             Some(Facts::CoverSplice(e)) => Self::of_parts(content, Some(e.hole), language),
             None => Self::of_parts(content, None, language),
         }

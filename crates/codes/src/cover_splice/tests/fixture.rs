@@ -4,7 +4,7 @@ use crate::check::{Check, CheckId, Status};
 use crate::cover_splice::splice_checks;
 use bracket_joint::assembly::{CoverPlate, CoverSplice, PlaneActions, SpliceUse, SplicedMember};
 use bracket_joint::catalog::Catalog;
-use bracket_joint::spec::code::{FySource, PartialFactors};
+use bracket_joint::spec::code::{ConcreteFactors, FySource, PartialFactors};
 use bracket_joint::spec::connection::BoltCategory;
 use bracket_joint::spec::loads::LimitState;
 use bracket_joint::strength::{Nominal, Strength};
@@ -20,6 +20,7 @@ pub(super) const RECOMMENDED: PartialFactors = PartialFactors {
     gamma_m3: 1.25,
     gamma_m3_ser: 1.1,
     gamma_m7: 1.1,
+    concrete: ConcreteFactors::RECOMMENDED,
 };
 
 /// A steel of the catalogue at a thickness.

@@ -6,7 +6,7 @@ use bracket_joint::assembly::{
     Notch, PlaneActions, SimpleJoint, SimpleKind, Support, SupportElement,
 };
 use bracket_joint::catalog::Catalog;
-use bracket_joint::spec::code::{FySource, PartialFactors};
+use bracket_joint::spec::code::{ConcreteFactors, FySource, PartialFactors};
 use bracket_joint::spec::loads::LimitState;
 use bracket_joint::spec::welds::WeldSpec;
 use bracket_joint::strength::{Nominal, Strength};
@@ -23,6 +23,7 @@ pub const FACTORS: PartialFactors = PartialFactors {
     gamma_m3: 1.25,
     gamma_m3_ser: 1.1,
     gamma_m7: 1.1,
+    concrete: ConcreteFactors::RECOMMENDED,
 };
 
 /// A steel of Table 3.1 at a thickness \[mm\].

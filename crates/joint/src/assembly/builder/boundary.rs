@@ -24,7 +24,7 @@ impl Context<'_> {
                 let surface = rectangle(at, &s, &e.face)?;
                 faces.push(FaceRule { name: name.clone(), part, surface, imprint: e.imprint });
                 let fix = [Axis::X, Axis::Y, Axis::Z].map(|a| e.fix.contains(&a));
-                out.push(FaceSupport { face: name, fix });
+                out.push(FaceSupport { face: name, fix, ground: None });
             }
         }
         Ok(out)

@@ -1,5 +1,6 @@
 //! The `hand_checks` of a template of any family: its key `kind` says which.
 
+use super::column_base::ColumnBaseEntry;
 use super::cover_splice::CoverSpliceEntry;
 use super::hand_checks::EndPlateEntry;
 use super::simple_joint::SimpleJointEntry;
@@ -20,6 +21,8 @@ pub enum HandCheckEntry {
     Simple(SimpleJointEntry),
     /// `kind: cover_splice`.
     CoverSplice(CoverSpliceEntry),
+    /// `kind: column_base`.
+    ColumnBase(Box<ColumnBaseEntry>),
 }
 
 impl HandCheckEntry {
@@ -29,6 +32,7 @@ impl HandCheckEntry {
             HandCheckEntry::EndPlate(e) => &e.ends,
             HandCheckEntry::Simple(e) => &e.ends,
             HandCheckEntry::CoverSplice(e) => &e.ends,
+            HandCheckEntry::ColumnBase(e) => &e.ends,
         }
     }
 
@@ -42,7 +46,7 @@ impl HandCheckEntry {
 }
 
 /// The values of `kind`.
-const KINDS: [&str; 4] = ["end_plate", "fin_plate", "header_plate", "cover_splice"];
+const KINDS: [&str; 5] = ["end_plate", "fin_plate", "header_plate", "cover_splice", "column_base"];
 
 impl<'de> Deserialize<'de> for HandCheckEntry {
     fn deserialize<D: Deserializer<'de>>(d: D) -> Result<Self, D::Error> {
@@ -69,6 +73,10 @@ impl<'de> Deserialize<'de> for HandCheckEntry {
                     }
                     Some("cover_splice") => {
                         CoverSpliceEntry::deserialize(all).map(HandCheckEntry::CoverSplice)
+                    }
+                    Some("column_base") => {
+                        let entry = ColumnBaseEntry::deserialize(all)?;
+                        Ok(HandCheckEntry::ColumnBase(Box::new(entry)))
                     }
                     Some(other) => Err(de::Error::unknown_variant(other, &KINDS)),
                 }

@@ -61,7 +61,7 @@ fn cantilever(cases: &[([f64; 3], [f64; 3])]) -> Assembly {
         surface: end,
         imprint: false,
     });
-    joint.supports = vec![FaceSupport { face: "LOAD_TOP".into(), fix: [true; 3] }];
+    joint.supports = vec![FaceSupport { face: "LOAD_TOP".into(), fix: [true; 3], ground: None }];
     let load = |(i, (force, moment)): (usize, &([f64; 3], [f64; 3]))| FaceLoad {
         face: "END".into(),
         case: i.to_string(),

@@ -1,0 +1,122 @@
+//! Resistance of a base to compression: on its whole effective area, and under one flange.
+
+use super::effective_area::IArea;
+use crate::check::{CheckId, Unit};
+use crate::error::CheckError;
+use crate::eurocode::concrete::{additional_width, bearing_strength};
+use crate::eurocode::section::CrossSection;
+use crate::formula::{Derivation, Formula, Number, Traced};
+use crate::worked::Worked;
+use bracket_joint::assembly::{BaseSection, ColumnBase};
+use bracket_joint::catalog::IProfile;
+
+/// The I section of the column.
+pub(super) fn profile(e: &ColumnBase) -> &IProfile {
+    match &e.section {
+        BaseSection::I(p) => p,
+    }
+}
+
+/// The column as a cross-section, with the steel at the thickness of its flange.
+pub(super) fn cross_section(e: &ColumnBase) -> CrossSection {
+    let fy = e.flange_steel.fy;
+    CrossSection { section: profile(e).into(), fy, gamma_m0: e.factors.gamma_m0 }
+}
+
+/// Distance of the centre of compression under a flange from the axis of the column \[mm\].
+///
+/// # Source
+/// EN 1993-1-8:2005 6.2.8.1(2), Figure 6.18.
+pub(super) fn z_c(e: &ColumnBase) -> f64 {
+    let p = profile(e);
+    0.5 * (p.h - p.tf)
+}
+
+/// f_jd and c.
+struct Bearing {
+    f_jd: Worked,
+    c: Formula,
+}
+
+impl Bearing {
+    fn new(e: &ColumnBase) -> Self {
+        let f_jd = bearing_strength(&e.foundation, e.concrete);
+        let t = Traced::length("t", e.thickness);
+        let f_y = Traced::stress("f_y", e.plate_steel.fy.mpa());
+        let gamma = Traced::number("γ_M0", e.factors.gamma_m0);
+        let c = additional_width(t, f_y, f_jd.traced(), gamma);
+        Self { f_jd, c: Formula::new("c", c, Unit::Length) }
+    }
+
+    /// f_jd, then c.
+    fn derivation(&self) -> Derivation {
+        self.f_jd.derivation.clone().then(self.c.clone())
+    }
+
+    /// The area on a plate whose edge has this distance from the axis of the column.
+    fn area(&self, e: &ColumnBase, edge: f64) -> IArea {
+        let p = profile(e);
+        let (width, c) = (e.plate[1], self.c.value);
+        IArea { section: [p.h, p.b, p.tw, p.tf], edge, width, c }
+    }
+}
+
+fn named([l, b]: [f64; 2], names: [&'static str; 2]) -> Traced {
+    Traced::length(names[0], l) * Traced::length(names[1], b)
+}
+
+/// N_j,Rd under axial compression alone \[N\]. On an eccentric plate the area is that of the
+/// narrower side on both sides, so that its centre lies in the axis of the column.
+///
+/// # Source
+/// EN 1993-1-8:2005 6.2.8.2(1), 6.2.5.
+pub(super) fn whole(e: &ColumnBase) -> Worked {
+    let bearing = Bearing::new(e);
+    let area = bearing.area(e, e.to_edge(1.0).min(e.to_edge(-1.0)));
+    let mut a_eff = Traced::from(2.0) * named(area.flange(), ["l_f", "b_f"]);
+    if area.web()[0] > 0.0 {
+        a_eff = a_eff + named(area.web(), ["l_w", "b_w"]);
+    }
+    let a_eff = Formula::new("A_eff", a_eff, Unit::Area);
+    let value = bearing.f_jd.traced() * a_eff.traced();
+    let (clause, id) = ("EN 1993-1-8:2005 6.2.8.2, 6.2.5", CheckId::BaseCompression);
+    let (c, area) = (bearing.c.value, a_eff.value);
+    Worked::of(clause, id, "N_j,Rd", value, Unit::Force)
+        .after(bearing.derivation().then(a_eff))
+        .with("f_jd", bearing.f_jd.value, Unit::Stress)
+        .with("c", c, Unit::Length)
+        .with("A_eff", area, Unit::Area)
+}
+
+/// Area under the flange on a side \[mm²\].
+pub(super) fn flange_area(e: &ColumnBase, side: f64) -> f64 {
+    let [l, b] = Bearing::new(e).area(e, e.to_edge(side)).flange();
+    l * b
+}
+
+/// F_C,Rd under the flange on a side, beside the shear force `shear` in the column \[N\]; an error
+/// for a column of class 4.
+///
+/// # Source
+/// EN 1993-1-8:2005 6.2.8.3(3): the smaller of the concrete under the flange (6.2.6.9) and the
+/// flange and web of the column in compression (6.2.6.7, M_c,Rd/(h − t_f)). The area under the web
+/// is left out, 6.2.8.1(3).
+pub(super) fn under_flange(
+    e: &ColumnBase,
+    side: f64,
+    shear: f64,
+) -> Result<Worked, Box<CheckError>> {
+    let bearing = Bearing::new(e);
+    let area = named(bearing.area(e, e.to_edge(side)).flange(), ["l_eff", "b_eff"]);
+    let concrete = Formula::new("F_C,pl,Rd", bearing.f_jd.traced() * area, Unit::Force);
+    let moment = cross_section(e).bending_6_2_10(shear, 0.0).map_err(Box::new)?.value;
+    let p = profile(e);
+    let arm = Traced::length("h", p.h) - Traced::length("t_f", p.tf);
+    let column = Traced::symbol("M_c,Rd", moment, Unit::Moment) / arm;
+    let column = Formula::new("F_c,fc,Rd", column, Unit::Force);
+    let value = concrete.traced().min(column.traced());
+    let (clause, id) =
+        ("EN 1993-1-8:2005 6.2.8.3, 6.2.6.9, 6.2.6.7", CheckId::BaseFlangeCompression);
+    Ok(Worked::of(clause, id, "F_C,Rd", value, Unit::Force)
+        .after(bearing.derivation().then(concrete).then(column)))
+}

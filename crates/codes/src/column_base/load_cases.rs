@@ -1,0 +1,150 @@
+//! Checks of every load case with actions on the base.
+
+use super::anchorage;
+use super::case_end::at;
+use super::compression::{cross_section, under_flange, whole};
+use super::forces::{Force, Forces, forces};
+use super::shear;
+use super::stiffness;
+use super::tension_side::of_anchor;
+use super::weld_checks;
+use crate::check::{Check, CheckId, Status, Topic, Unit, largest};
+use crate::formula::Traced;
+use crate::subject::Part;
+use crate::worked::Worked;
+use bracket_base::say;
+use bracket_joint::assembly::{ColumnBase, PlaneActions};
+
+/// The topic of most of them.
+const TOPIC: Topic = Topic::ComponentMethod;
+/// Clause of the forces of both sides.
+const CLAUSE: &str = "EN 1993-1-8:2005 6.2.8.3";
+
+/// The checks of every load case at the ultimate limit state.
+pub(super) fn checks(e: &ColumnBase) -> Vec<Check> {
+    let ultimate = e.actions.iter().filter(|a| a.state.is_ultimate());
+    ultimate.flat_map(|a| of_case(e, a).into_iter().map(|c| c.of_case(&a.case))).collect()
+}
+
+fn of_case(e: &ColumnBase, a: &PlaneActions) -> Vec<Check> {
+    let [[n, _, v], [_, m, _]] = a.at(1.0);
+    let mut out = no_formula(a);
+    let mut most = 0.0;
+    if n < 0.0 && m == 0.0 {
+        let subject = at(a).and(Part::BasePlate);
+        out.push(whole(e).against(TOPIC, subject, -n, Status::Failed).of_strength());
+    } else if n != 0.0 || m != 0.0 {
+        match forces(e, n, m) {
+            Ok(found) => {
+                out.extend(of_sides(e, a, &found));
+                out.extend(stiffness::checks(e, a, &found));
+                let pulls = found.iter().filter_map(|(_, force)| match force {
+                    Force::Tension(row, force) => Some(of_anchor(row, force.value)),
+                    Force::Compression(_) => None,
+                });
+                most = pulls.fold(0.0, f64::max);
+            }
+            Err(why) => {
+                let (subject, id) = (at(a).and(Part::Anchors), CheckId::BaseTension);
+                let step = "one row of two anchors outside each flange, or a limit analysis";
+                out.push(Check::undecided(TOPIC, subject, CLAUSE, id, why, step).without_method());
+                // how far the anchors are loaded is open
+                most = f64::INFINITY;
+            }
+        }
+    }
+    let sheared = shear::of_anchor(e, a);
+    out.extend(shear::checks(e, a, most));
+    out.extend(anchorage::check(e, a, [most, sheared]));
+    out.extend(weld_checks::under_load(e, a));
+    out.extend(column(e, a, [n, v, m]));
+    out
+}
+
+/// The forces of both sides against their resistances, and M_j,Rd at constant eccentricity.
+fn of_sides(e: &ColumnBase, a: &PlaneActions, forces: &Forces) -> Vec<Check> {
+    let [[_, _, v], [_, m, _]] = a.at(1.0);
+    let mut out = Vec::new();
+    for (side, force) in forces {
+        let subject = at(a).and(if *side > 0.0 { Part::UpperFlange } else { Part::LowerFlange });
+        match force {
+            Force::Tension(row, force) => {
+                let worked = row.resistance.clone().after(force.clone());
+                let check = worked.against(TOPIC, subject, force.value, Status::Failed);
+                out.push(check.of_strength());
+            }
+            Force::Compression(force) => match under_flange(e, *side, v.abs()) {
+                Ok(worked) => {
+                    let worked = worked.after(force.clone());
+                    let check = worked.against(TOPIC, subject, force.value, Status::Failed);
+                    out.push(check.of_strength());
+                }
+                Err(fault) => {
+                    let (id, step) = (CheckId::BaseFlangeCompression, "a column of class 1 to 3");
+                    let why = fault.text();
+                    let open = Check::undecided(TOPIC, subject, CLAUSE, id, why, step);
+                    out.push(open.without_method());
+                }
+            },
+        }
+    }
+    let used = largest(out.iter().filter_map(|c| c.utilisation), |u| *u).filter(|u| *u > 0.0);
+    if let Some(used) = used.filter(|_| m != 0.0) {
+        let share = Traced::number("η", used);
+        let value = Traced::symbol("M_Ed", m.abs(), Unit::Moment) / share;
+        let (clause, id) = ("EN 1993-1-8:2005 Table 6.7", CheckId::BaseMoment);
+        let worked = Worked::of(clause, id, "M_j,Rd", value, Unit::Moment)
+            .after("η: the largest utilisation of the forces under both flanges; e = M/N is kept");
+        out.push(worked.information(TOPIC, at(a).and(Part::Joint)));
+    }
+    out
+}
+
+/// The column's own section under the actions.
+fn column(e: &ColumnBase, a: &PlaneActions, [n, v, m]: [f64; 3]) -> Vec<Check> {
+    let (section, subject) = (cross_section(e), at(a).and(Part::Column));
+    let against = |mut worked: Worked, id: CheckId, demand: f64| {
+        worked.id = id;
+        worked.against(Topic::Member, subject.clone(), demand.abs(), Status::Failed)
+    };
+    let mut out = Vec::new();
+    if v != 0.0 {
+        out.push(against(section.shear(), CheckId::ColumnShear, v));
+    }
+    if n != 0.0 {
+        out.push(against(section.axial(), CheckId::ColumnAxial, n));
+    }
+    if m != 0.0 || n < 0.0 {
+        out.push(match section.bending_6_2_10(v, n) {
+            Ok(worked) => against(worked, CheckId::ColumnMoment, m),
+            Err(fault) => {
+                let (clause, id) = ("EN 1993-1-1:2005 5.5.2", CheckId::ColumnMoment);
+                let step = "a column of class 1 to 3";
+                Check::undecided(Topic::Member, subject.clone(), clause, id, fault.text(), step)
+            }
+        });
+    }
+    out
+}
+
+/// Actions that these checks do not share out.
+fn no_formula(a: &PlaneActions) -> Vec<Check> {
+    let [[_, vy, _], [torsion, _, mz]] = a.at(1.0);
+    let acting = [
+        ("Vy", vy, Unit::Force, CheckId::ShearAcross),
+        ("Mz", mz, Unit::Moment, CheckId::WeakAxisOfJoint),
+        ("T", torsion, Unit::Moment, CheckId::TorsionOfJoint),
+    ];
+    let check = |(name, value, unit, id): (&'static str, f64, Unit, CheckId)| {
+        let why = say!(
+            "{} = {}: these checks know axial force, shear force along the web and moment about \
+             the strong axis alone",
+            name,
+            unit.show(value)
+        );
+        let step = "a limit analysis of the base";
+        let subject = at(a).and(Part::Joint);
+        Check::undecided(TOPIC, subject, "EN 1993-1-8:2005 6.2.8", id, why, step).without_method()
+    };
+    acting.into_iter().filter(|(_, value, ..)| *value != 0.0).map(check).collect()
+}

@@ -1,0 +1,67 @@
+//! Initial stiffness of a base with one side in tension and one in compression.
+
+use super::case_end::at;
+use super::compression::{flange_area, profile, z_c};
+use super::forces::{Force, Forces};
+use crate::check::{Check, CheckId, Topic, Unit};
+use crate::component_method::t_stub::Prying;
+use crate::eurocode::concrete::e_cm;
+use crate::formula::{Formula, Number, Traced};
+use crate::subject::Part;
+use crate::worked::Worked;
+use bracket_joint::assembly::{ColumnBase, PlaneActions};
+
+/// S_j,ini under the moment of a case, and the length of the column from which it is rigid.
+///
+/// # Source
+/// EN 1993-1-8:2005 Tables 6.11 and 6.12, μ = 1; 5.2.2.5(2): S_j,ini ≥ 30 E I_c/L_c. The milder
+/// limits of frames held by bracing need the slenderness of the column.
+pub(super) fn checks(e: &ColumnBase, a: &PlaneActions, forces: &Forces) -> Vec<Check> {
+    let [(_, Force::Tension(row, _)), (pressed, Force::Compression(_))] = &forces[..] else {
+        return Vec::new();
+    };
+    let [[n, ..], [_, m, _]] = a.at(1.0);
+    let num = Traced::from;
+    let modulus = || Traced::stress("E", e.plate_steel.e);
+    let spring = |symbol: &'static str, of: Traced| Formula::new(symbol, of, Unit::Length);
+    let e_c = e_cm(Traced::stress("f_ck", e.foundation.f_ck.mpa()));
+    let e_c = Formula::new("E_c", e_c, Unit::Stress);
+    let area = Traced::area("b_eff l_eff", flange_area(e, *pressed)).sqrt();
+    let k13 = spring("k_13", e_c.traced() * area / (num(1.275) * modulus()));
+    let (of_plate, of_anchor) = match row.prying {
+        Prying::Develops => (0.85, 1.6),
+        Prying::Absent => (0.425, 2.0),
+    };
+    let length = |symbol: &'static str, value| Traced::length(symbol, value);
+    let k15 = num(of_plate) * length("ℓ_eff", row.length) * length("t", e.thickness).powi(3)
+        / length("m", row.m).powi(3);
+    let k15 = spring("k_15", k15);
+    let k16 =
+        num(of_anchor) * Traced::area("A_s", e.bolt.stress_area) / length("L_b", e.elastic_length);
+    let k16 = spring("k_16", k16);
+    let k_t = num(1.0) / (num(1.0) / k15.traced() + num(1.0) / k16.traced());
+    let k_t = spring("k_T", k_t);
+    let (z_t, z_c) = (length("z_T", row.z), length("z_C", z_c(e)));
+    let e_k =
+        (z_c.clone() * k13.traced() - z_t.clone() * k_t.traced()) / (k_t.traced() + k13.traced());
+    let e_k = spring("e_k", e_k);
+    let left = m.abs() + n * e_k.value;
+    if left <= 0.0 {
+        return Vec::new();
+    }
+    let moment = || Traced::symbol("M_Ed", m.abs(), Unit::Moment);
+    let flexible = num(1.0) / k_t.traced() + num(1.0) / k13.traced();
+    let whole = modulus() * (z_t + z_c).powi(2) / flexible;
+    let share = moment() / (moment() + Traced::force("N_Ed", n) * e_k.traced());
+    let value = whole * share;
+    let (clause, id) = ("EN 1993-1-8:2005 Table 6.12", CheckId::InitialStiffness);
+    let lines = [e_c, k13, k15, k16, k_t, e_k];
+    let before = lines.into_iter().fold(crate::formula::Derivation::default(), |d, f| d.then(f));
+    let stiffness = Worked::of(clause, id, "S_j,ini", value, Unit::Rotational).after(before);
+    let inertia = Traced::number("I_c", 1e4 * profile(e).i_y);
+    let rigid = num(30.0) * modulus() * inertia / stiffness.traced();
+    let (clause, id) = ("EN 1993-1-8:2005 5.2.2.5(2)", CheckId::BaseRigidLength);
+    let rigid = Worked::of(clause, id, "L_c", rigid, Unit::Length);
+    let subject = || at(a).and(Part::Joint);
+    [stiffness, rigid].map(|w| w.information(Topic::Stiffness, subject())).into()
+}

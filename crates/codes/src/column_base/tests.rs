@@ -1,0 +1,4 @@
+mod fixture;
+mod properties;
+mod published;
+mod second;

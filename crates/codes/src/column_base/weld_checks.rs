@@ -1,0 +1,104 @@
+//! Fillet welds of the column on its plate, under an elastic distribution of N and M.
+
+use super::case_end::at;
+use super::compression::profile;
+use crate::check::{Check, Status, Topic, Unit};
+use crate::end_plate::without_strength;
+use crate::eurocode::i_section::Section;
+use crate::eurocode::welds::{PairForce, WeldedSteel, directional_pair, effective_run, least_size};
+use crate::formula::{Formula, Traced};
+use crate::subject::{Part, Place};
+use bracket_joint::assembly::{ColumnBase, PlaneActions};
+use bracket_joint::strength::Strength;
+
+/// A pair of welds on both sides of a flange or of the web.
+struct Pair<'a> {
+    part: Part,
+    /// Thickness of the plate between them.
+    thickness: f64,
+    throat: f64,
+    /// Length of each weld, the mean of both sides.
+    length: f64,
+    steel: &'a Strength,
+}
+
+/// The pairs with fillets: flange, web.
+fn pairs(e: &ColumnBase) -> Vec<Pair<'_>> {
+    let p = profile(e);
+    let s = Section::from(p);
+    let flange = Pair {
+        part: Part::ColumnFlange,
+        thickness: p.tf,
+        throat: e.flange_throat,
+        // the root fillet of the web takes its part of the inner side
+        length: p.b - 0.5 * p.tw - s.root,
+        steel: e.flange_steel.weaker(&e.plate_steel),
+    };
+    let web = Pair {
+        part: Part::ColumnWeb,
+        thickness: p.tw,
+        throat: e.web_throat,
+        length: s.clear_depth(),
+        steel: e.web_steel.weaker(&e.plate_steel),
+    };
+    [flange, web].into_iter().filter(|w| w.throat > 0.0).collect()
+}
+
+/// Least sizes, and steels that give their welds no strength.
+pub(super) fn sizes(e: &ColumnBase) -> Vec<Check> {
+    let mut out = Vec::new();
+    for w in pairs(e) {
+        let run = effective_run(e.ends, w.length, w.throat);
+        out.extend(least_size(w.part, w.throat, run.value));
+        if WeldedSteel::of(w.steel, e.factors.gamma_m2).is_none() {
+            out.push(without_strength(w.part, w.steel));
+        }
+    }
+    out
+}
+
+/// The welds by the directional method: a flange takes M/(h − t_f) and its share of N, the web its
+/// elastic stresses and all of V.
+///
+/// # Source
+/// EN 1993-1-8:2005 4.5.3.2(6), 2.5(1). Compression counts like tension: contact of the column with
+/// the plate is not asked for.
+pub(super) fn under_load(e: &ColumnBase, a: &PlaneActions) -> Vec<Check> {
+    let [[n, _, v], [_, m, _]] = a.at(1.0);
+    let p = profile(e);
+    let s = Section::from(p);
+    let mut out = Vec::new();
+    for w in pairs(e) {
+        let Some(steel) = WeldedSteel::of(w.steel, e.factors.gamma_m2) else { continue };
+        let run = effective_run(e.ends, w.length, w.throat);
+        let flange = w.part == Part::ColumnFlange;
+        if n == 0.0 && m == 0.0 && (flange || v == 0.0) || run.value <= 0.0 {
+            continue;
+        }
+        let length = |symbol: &'static str, value| Traced::length(symbol, value);
+        let moment = Traced::symbol("M_Ed", m.abs(), Unit::Moment);
+        let push = Traced::force("N_Ed", n.abs()) / Traced::area("A", s.area);
+        let normal = if flange {
+            let area = length("b", p.b) * length("t_f", p.tf);
+            let arm = length("h", p.h) - length("t_f", p.tf);
+            (moment / arm + push * area) / run.traced()
+        } else {
+            let bent = moment * length("d", s.clear_depth())
+                / (Traced::from(2.0) * Traced::number("I", s.i));
+            (push + bent) * length("t_w", p.tw)
+        };
+        let normal = Formula::new("n", normal, Unit::ForcePerLength);
+        let shear = if flange { 0.0 } else { v.abs() };
+        let along = Traced::force("V_Ed", shear) / run.traced();
+        let along = Formula::new("l", along, Unit::ForcePerLength);
+        let force = PairForce { normal: normal.value, along: along.value, ..PairForce::default() };
+        let mut worked = directional_pair(&force, w.thickness, w.throat, &steel);
+        if along.value > 0.0 {
+            worked = worked.after(along);
+        }
+        let worked = worked.after(normal).after(run);
+        let seam = at(a).and(Place::Seam { of: w.part, to: Part::BasePlate });
+        out.push(worked.utilised(Topic::Welds, seam, Status::Failed));
+    }
+    out
+}
