@@ -100,17 +100,28 @@ pub fn model_file(
     let support = |face: &str, fix: [bool; 3]| SupportEntry {
         face: face.to_string(),
         fix: (0..3).filter(|&k| fix[k]).map(|k| AXES[k]).collect(),
-        law: None,
-        mu: None,
-        gap: None,
-        strength: None,
-        friction: None,
+        ..SupportEntry::default()
+    };
+    // without friction: it would need the pressure that the certificate of Coulomb's law lacks
+    let ground = |face: &str| SupportEntry {
+        face: face.to_string(),
+        law: Some(Law::Contact),
+        mu: Some(0.0),
+        strength: strengths
+            .ground
+            .get(face)
+            .filter(|_| analysis == AnalysisKind::Limit)
+            .map(|f| f.mpa()),
+        ..SupportEntry::default()
     };
     let mut supports: Vec<SupportEntry> = assembly
         .supports
         .iter()
         .filter(|s| has_face(&s.face))
-        .map(|s| support(&s.face, s.fix))
+        .map(|s| match s.ground {
+            Some(_) => ground(&s.face),
+            None => support(&s.face, s.fix),
+        })
         .collect();
     for plane in symmetry_used {
         let face = symmetry_face(plane.axis);

@@ -215,7 +215,7 @@ pub enum Axis {
 }
 
 /// A support: `fix` components, or `law: contact` against rigid ground.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SupportEntry {
     /// Physical surface.

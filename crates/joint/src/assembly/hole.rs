@@ -64,7 +64,9 @@ impl Hole {
 }
 
 /// Head, shank and nut of a bolt.
-pub fn bolt_pieces(size: &BoltSize, hole: &Hole, corner: usize) -> [Solid; 3] {
+///
+/// An anchor has no head: its shank goes on below the parts by the length `anchor` \[mm\].
+pub fn bolt_pieces(size: &BoltSize, hole: &Hole, corner: usize, anchor: Option<f64>) -> Vec<Solid> {
     let head =
         hexagon(hole.base, hole.axis, -hole.toward, corner, size.head_width, size.head_height);
     let nut = hexagon(
@@ -75,7 +77,13 @@ pub fn bolt_pieces(size: &BoltSize, hole: &Hole, corner: usize) -> [Solid; 3] {
         size.nut_width,
         size.nut_height,
     );
-    [hole.cylinder(), head, nut]
+    match anchor {
+        Some(length) => {
+            let whole = Hole { base: hole.point(-length), length: hole.length + length, ..*hole };
+            vec![whole.cylinder(), nut]
+        }
+        None => vec![hole.cylinder(), head, nut],
+    }
 }
 
 /// A hexagonal prism that stands on `base` and extends in the direction `sign` along the axis. Two

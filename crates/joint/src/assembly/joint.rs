@@ -275,7 +275,7 @@ fn assembly(
         i.between.iter().try_for_each(|p| known("contacts", p))?;
     }
     let mut faces = Vec::new();
-    let supports = context.supports(&mut faces)?;
+    let supports = context.supports(&bolts, &mut faces)?;
     let loads = context.loads(&mut faces)?;
     for f in &faces {
         known(&f.name, &f.part)?;

@@ -14,7 +14,7 @@ mod parameter;
 mod parts;
 mod simple_joint;
 
-pub use boundary::{ClearanceEntry, EndEntry, SectionEntry, SupportEntry};
+pub use boundary::{ClearanceEntry, EndEntry, GroundEntry, SectionEntry, SupportEntry};
 pub use column_base::ColumnBaseEntry;
 pub use common::{Axis, Loop, RectangleEntry};
 pub use connections::{BoltEntry, ContactEntry, GripEntry, WeldEntry};

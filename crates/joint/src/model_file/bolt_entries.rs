@@ -109,8 +109,10 @@ impl Bolt<'_> {
     /// needed.
     fn in_bearing(&self, out: &mut Limits, i: usize, resistances: [[f64; 2]; 2]) {
         let sections = &self.sections;
-        let after = &sections[i..(i + 1).min(sections.len())];
-        let before = if i > 0 { &sections[i - 1..i] } else { &[] };
+        // an anchor has a section before its first ply too
+        let next = i + (sections.len() + 1).saturating_sub(self.grip.plies.len());
+        let after = &sections[next.min(sections.len())..(next + 1).min(sections.len())];
+        let before = if next > 0 { &sections[next - 1..next] } else { &[] };
         let outer = after.is_empty() || before.is_empty();
         let Ply { part: ply, room, .. } = &self.grip.plies[i];
         let cuts = if after.is_empty() { [before, after] } else { [after, before] };

@@ -35,6 +35,8 @@ pub(in crate::assembly) struct Bolt<'a> {
     scope: Scope,
     pub name: String,
     pub hole: Hole,
+    /// Length of an anchor below the parts \[mm\]; `None`: a bolt with a head.
+    pub anchor: Option<f64>,
     pub through: Vec<(String, f64)>,
 }
 
@@ -45,6 +47,11 @@ impl Bolt<'_> {
         let beside = |sign: f64| std::array::from_fn(|k| centre[k] + sign * self.hole.beyond(k));
         let axis = self.hole.axis;
         Surface::Plane { axis, at: centre[axis], min: beside(-1.0), max: beside(1.0) }
+    }
+
+    /// The held end of an anchor: name and place of its face; `None`: a bolt.
+    pub(super) fn anchorage(&self) -> Option<(String, Surface)> {
+        Some((format!("ANCHORAGE_{}", self.name), self.plane(-self.anchor?)))
     }
 
     /// Gap all round the shank \[mm\].
@@ -95,7 +102,12 @@ impl<'a> Context<'a> {
                     radius: size.d / 2.0,
                     segments,
                 };
-                out.push(Bolt { entry, scope, name, hole, through });
+                let anchor =
+                    entry.anchor.as_ref().map(|e| within(at, scope.length(e))).transpose()?;
+                if anchor.is_some_and(|l| l <= 0.0) {
+                    return entry_fault(at, "`anchor` is not a positive length");
+                }
+                out.push(Bolt { entry, scope, name, hole, anchor, through });
             }
         }
         Ok(out)
@@ -154,15 +166,15 @@ impl<'a> Context<'a> {
         let Some((size, grade)) = self.inputs.bolt else {
             return entry_fault(at, "the template needs `bolts`");
         };
-        let pieces = bolt_pieces(size, &b.hole, b.entry.corner.index());
+        let pieces = bolt_pieces(size, &b.hole, b.entry.corner.index(), b.anchor);
         let material = self.inputs.bolt_material(size, grade, materials);
         Ok(Part {
             name: b.name.clone(),
             label: within(at, b.scope.text(&b.entry.label))?,
             role: PartRole::Bolt,
             material,
-            solid: Solid::Union(pieces.to_vec()),
-            convex: pieces.to_vec(),
+            solid: Solid::Union(pieces.clone()),
+            convex: pieces,
             mid_planes: Vec::new(),
             oblique_planes: Vec::new(),
             size: self.size(at, &b.scope, &b.entry.size)?,
@@ -197,7 +209,7 @@ impl<'a> Context<'a> {
             (Some((f, _)), Some((l, _))) => (f, l),
             _ => return entry_fault(at, "a bolt passes at least one part"),
         };
-        if within(at, b.scope.truth(&b.entry.head_contact))? {
+        if b.anchor.is_none() && within(at, b.scope.truth(&b.entry.head_contact))? {
             let between = [b.name.clone(), first.clone()];
             out.push(self.rule(
                 between,

@@ -1,18 +1,24 @@
 //! Supports, loads and clearances of the joint.
 
+use super::bolts::Bolt;
 use super::context::Context;
 use crate::assembly::actions;
 use crate::assembly::assembly::{Action, Clearance, FaceLoad, FaceRule, FaceSupport};
 use crate::assembly::error::AssemblyError;
 use crate::assembly::evaluate::{entry_fault, identifier, rectangle, within};
+use crate::assembly::foundation::Foundation;
 use crate::assembly::load_checks;
 use crate::assembly::member_ends;
-use crate::assembly::template::Axis;
+use crate::assembly::scope::Scope;
+use crate::assembly::template::{Axis, GroundEntry};
+use crate::spec::expr::Expr;
+use crate::strength::Nominal;
 
 impl Context<'_> {
-    /// The supports. Adds their faces to the named faces.
+    /// The supports, with the ends of anchors. Adds their faces to the named faces.
     pub(in crate::assembly) fn supports(
         &self,
+        bolts: &[Bolt<'_>],
         faces: &mut Vec<FaceRule>,
     ) -> Result<Vec<FaceSupport>, AssemblyError> {
         let mut out = Vec::new();
@@ -24,7 +30,19 @@ impl Context<'_> {
                 let surface = rectangle(at, &s, &e.face)?;
                 faces.push(FaceRule { name: name.clone(), part, surface, imprint: e.imprint });
                 let fix = [Axis::X, Axis::Y, Axis::Z].map(|a| e.fix.contains(&a));
-                out.push(FaceSupport { face: name, fix, ground: None });
+                let ground = e.ground.as_ref().map(|g| foundation(at, &s, g)).transpose()?;
+                if ground.is_some() == fix.contains(&true) {
+                    let problem = "a support has either `fix` with some axes or `ground`";
+                    return entry_fault(at, problem);
+                }
+                out.push(FaceSupport { face: name, fix, ground });
+            }
+        }
+        for b in bolts {
+            if let Some((face, surface)) = b.anchorage() {
+                let part = b.name.clone();
+                faces.push(FaceRule { name: face.clone(), part, surface, imprint: false });
+                out.push(FaceSupport { face, fix: [true; 3], ground: None });
             }
         }
         Ok(out)
@@ -90,4 +108,42 @@ impl Context<'_> {
         }
         Ok(out)
     }
+}
+
+/// The concrete of a support; every size and strength must be positive, edges and grout may be zero.
+fn foundation(at: &str, scope: &Scope, e: &GroundEntry) -> Result<Foundation, AssemblyError> {
+    let positive = |what: &str, x: f64, unit: &str| {
+        if x > 0.0 {
+            Ok(x)
+        } else {
+            entry_fault(at, format!("`ground.{what}` is {x}{unit}, not > 0"))
+        }
+    };
+    let no_less = |what: &str, e: &Expr| -> Result<f64, AssemblyError> {
+        let x = within(at, scope.length(e))?;
+        if x >= 0.0 {
+            Ok(x)
+        } else {
+            entry_fault(at, format!("`ground.{what}` is {x} mm, below 0"))
+        }
+    };
+    let length = |what, e| positive(what, within(at, scope.length(e))?, " mm");
+    let number = |what, e, unit| positive(what, within(at, scope.number(e))?, unit);
+    let [[a, b], [c, d]] = &e.edge;
+    let friction = within(at, scope.number(&e.friction))?;
+    if !(0.0..=1.0).contains(&friction) {
+        return entry_fault(at, format!("`ground.friction` is {friction}, not between 0 and 1"));
+    }
+    Ok(Foundation {
+        f_ck: Nominal::new(number("f_ck", &e.f_ck, " MPa")?),
+        plate: [length("plate", &e.plate[0])?, length("plate", &e.plate[1])?],
+        edge: [
+            [no_less("edge", a)?, no_less("edge", b)?],
+            [no_less("edge", c)?, no_less("edge", d)?],
+        ],
+        depth: length("depth", &e.depth)?,
+        grout: no_less("grout", &e.grout)?,
+        grout_strength: Nominal::new(number("grout_strength", &e.grout_strength, " MPa")?),
+        friction,
+    })
 }

@@ -121,7 +121,7 @@ impl Context<'_> {
         for b in bolts {
             let mut distance = 0.0;
             for (i, (_, thickness)) in b.through.iter().enumerate() {
-                if i > 0 {
+                if i > 0 || b.anchor.is_some() {
                     let name = format!("SECTION_{}_{i}", b.name);
                     out.push(Section { part: b.name.clone(), name, surface: b.plane(distance) });
                 }

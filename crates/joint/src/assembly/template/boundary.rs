@@ -88,10 +88,36 @@ pub struct SupportEntry {
     /// Where.
     pub face: RectangleEntry,
     /// Components held.
+    #[serde(default)]
     pub fix: Vec<Axis>,
+    /// The concrete that the face stands on, in place of `fix`: contact without friction, up to the
+    /// design bearing strength in limit analysis.
+    pub ground: Option<GroundEntry>,
     /// True when edges of the part do not bound it.
     #[serde(default)]
     pub imprint: bool,
+}
+
+/// A concrete block with a layer of grout under a base plate. Pairs stand in the order of the
+/// plate's two axes.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct GroundEntry {
+    /// Characteristic cylinder strength f_ck of the concrete, a number of MPa.
+    pub f_ck: Expr,
+    /// Lengths of the base plate.
+    pub plate: [Expr; 2],
+    /// Distance from each edge of the plate to the edge of the block, in the negative and the
+    /// positive direction of each axis.
+    pub edge: [[Expr; 2]; 2],
+    /// Depth of the block.
+    pub depth: Expr,
+    /// Thickness of the grout.
+    pub grout: Expr,
+    /// Characteristic strength of the grout, a number of MPa.
+    pub grout_strength: Expr,
+    /// Coefficient of friction C_f,d between plate and grout.
+    pub friction: Expr,
 }
 
 /// Two parts that must stay apart.

@@ -27,6 +27,9 @@ pub struct BoltEntry {
     pub head: [Expr; 3],
     /// Axis on which corners of the hexagons lie.
     pub corner: Axis,
+    /// An anchor: in place of a head the shank goes on by this length from `head` and is held at
+    /// its end, in the concrete. Absent: a bolt.
+    pub anchor: Option<Expr>,
     /// The parts it passes, from the head on.
     pub through: Vec<GripEntry>,
     /// True: the head is in contact with the first part; false: glued to it.
