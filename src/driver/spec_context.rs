@@ -76,7 +76,7 @@ pub fn spec_context(path: &Path, input: &SpecFile) -> Result<RunContext, Diagnos
             schedule: schedule::schedule(&parts_list(&input.joint.content)),
             welds: schedule::welds(&welds),
             butt_welds: schedule::has_butt_welds(&welds),
-            supports: supports(&input.joint.assembly),
+            supports: supports(&input.joint.assembly, &design_strengths(&input.joint)),
         },
         rotation: frame,
         files,
@@ -109,8 +109,8 @@ fn plane_actions(input: &SpecFile) -> Table {
     facts.map_or_else(Default::default, |f| on_planes(f.actions()))
 }
 
-/// The supports of the model, with the section that each holds.
-fn supports(assembly: &Assembly) -> Table {
+/// The supports of the model, with the section that each holds. Ground has its bearing strength.
+fn supports(assembly: &Assembly, strengths: &DesignStrengths) -> Table {
     let row = |support: &FaceSupport| -> Option<[Text; 4]> {
         let face = assembly.faces.iter().find(|f| f.name == support.face)?;
         let held: Vec<&str> =
@@ -119,7 +119,12 @@ fn supports(assembly: &Assembly) -> Table {
             Surface::Plane { axis, at, .. } => format!("{} = {} mm", AXES[axis], number(at)),
             Surface::Mantle { radius, .. } => format!("r = {} mm", number(radius)),
         };
-        Some([face.name.clone(), face.part.clone(), place, held.join(" ")].map(Text::given))
+        let held = match strengths.ground.get(&support.face) {
+            Some(f) => say!("pressure up to {} MPa", number(f.mpa())),
+            None => Text::given(held.join(" ")),
+        };
+        let [name, part] = [&face.name, &face.part].map(Text::given);
+        Some([name, part, Text::given(place), held])
     };
     let columns = ["support", "part", "section", "held along"];
     Table::new(columns, assembly.supports.iter().filter_map(row))

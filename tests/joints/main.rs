@@ -7,6 +7,7 @@ mod bench;
 mod bolt_forces;
 mod bolted_families;
 mod built;
+mod column_base;
 mod component_method;
 mod files;
 mod haunched_eaves;

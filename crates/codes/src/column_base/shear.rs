@@ -89,9 +89,15 @@ fn friction(e: &ColumnBase, a: &PlaneActions) -> Formula {
     Formula::new("F_f,Rd", c * Traced::force("N_c,Ed", push), Unit::Force)
 }
 
+/// The shear force, the resultant of both directions \[N\].
+fn demand(a: &PlaneActions) -> f64 {
+    let [_, across, along] = a.at(1.0)[0];
+    across.hypot(along)
+}
+
 /// Shear of one anchor, what friction leaves \[N\].
 pub(super) fn of_anchor(e: &ColumnBase, a: &PlaneActions) -> f64 {
-    let left = a.at(1.0)[0][2].abs() - friction(e, a).value;
+    let left = demand(a) - friction(e, a).value;
     match e.shear.anchors && e.anchors() > 0 {
         true => left.max(0.0) / e.anchors() as f64,
         false => 0.0,
@@ -104,7 +110,7 @@ pub(super) fn of_anchor(e: &ColumnBase, a: &PlaneActions) -> f64 {
 /// # Source
 /// EN 1993-1-8:2005 6.2.2(8), formula 6.3; the interaction is that of Table 3.4.
 pub(super) fn checks(e: &ColumnBase, a: &PlaneActions, tension: f64) -> Vec<Check> {
-    let v = a.at(1.0)[0][2].abs();
+    let v = demand(a);
     if v == 0.0 {
         return Vec::new();
     }
@@ -128,6 +134,16 @@ pub(super) fn checks(e: &ColumnBase, a: &PlaneActions, tension: f64) -> Vec<Chec
     }
     if !e.shear.anchors {
         return vec![only.against(topic, subject, v, Status::Failed)];
+    }
+    if a.at(1.0)[0][1] != 0.0 {
+        let why = say!(
+            "V_Ed = {} is more than friction carries, F_f,Rd = {}, and acts across the column too: \
+             the bearing of the anchors is known along its depth only",
+            Unit::Force.show(v),
+            Unit::Force.show(by_friction.value)
+        );
+        let step = "a check of the anchors in that direction by hand";
+        return vec![Check::undecided(topic, subject, CLAUSE, id, why, step)];
     }
     let Some(one) = anchor(e) else {
         let why = "F_vb,Rd needs f_yb from 235 to 640 MPa and holes that are no wider than \

@@ -22,6 +22,15 @@ pub enum PartSize {
         /// Clamped thickness.
         grip: f64,
     },
+    /// An anchor with nut and washer; how it is anchored in the concrete is not known.
+    Anchor {
+        /// Size of the anchor: `M20`.
+        size: String,
+        /// Length below the plate to where the model holds it.
+        below: f64,
+        /// Thickness of the plate.
+        grip: f64,
+    },
     /// Thickness, width and length of a plate; its holes are not subtracted.
     Plate([f64; 3]),
 }
@@ -58,6 +67,12 @@ pub fn parts_list(joint: &Content) -> Vec<PartItem> {
     let mut out: Vec<PartItem> = Vec::new();
     for b in &joint.fasteners {
         let Some((size, grade)) = &joint.bolt else { continue };
+        if let Some(below) = b.anchor {
+            let of = PartSize::Anchor { size: size.size.clone(), below, grip: b.grip() };
+            let (part, steel) = ("anchor".into(), grade.grade.clone());
+            add(&mut out, PartItem { part, count: 1, size: of, steel, each: None });
+            continue;
+        }
         let length = length_for(size, b.grip());
         add(
             &mut out,

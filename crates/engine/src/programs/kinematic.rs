@@ -127,10 +127,13 @@ pub(super) fn numbering(
 }
 
 impl Kinematic {
-    /// Number of unknowns that the elements share, of the program of limit analysis or of one of
-    /// the others. No matrix is assembled.
+    /// Number of unknowns that the elements share and of closings of crushing ground, of the program
+    /// of limit analysis or of one of the others. No matrix is assembled.
     pub fn unknowns(model: &AnalysisModel, limit: bool) -> Result<usize, ModelError> {
-        Ok(numbering(model, &Tet10Space::new(&model.mesh), limit)?.map.n)
+        let space = Tet10Space::new(&model.mesh);
+        let shared = numbering(model, &space, limit)?.map.n;
+        let closing = |p: &ControlPoint| limit && p.crushing.is_some();
+        Ok(shared + control_points(model, &space).iter().filter(|p| closing(p)).count())
     }
 
     /// Builds the elastic program: no body yields.

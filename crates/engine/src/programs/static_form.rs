@@ -122,7 +122,9 @@ fn numbering(
 impl<'a> Static<'a> {
     /// Number of the unknowns that elements share, see [`crate::programs::Kinematic::unknowns`].
     pub fn unknowns(model: &AnalysisModel, limit: bool) -> Result<usize, ModelError> {
-        Ok(numbering(model, &FaceNumbering::new(&model.mesh), limit)?.1.n)
+        let shared = numbering(model, &FaceNumbering::new(&model.mesh), limit)?.1.n;
+        let crushing = model.ground.iter().filter(|g| limit && g.strength.is_some());
+        Ok(shared + 3 * crushing.map(|g| g.faces.len()).sum::<usize>())
     }
 
     /// Builds the elastic program: no body yields.

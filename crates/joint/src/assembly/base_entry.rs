@@ -126,6 +126,6 @@ pub(super) fn expected(e: &ColumnBase, entry: &ColumnBaseEntry, frame: &Frame) -
         bolts: places.map(bolt).collect(),
         plates: vec![plate],
         members: vec![ExpectedMember { role: entry.column.clone(), flanges: Some(flanges) }],
-        throat: e.flange_throat,
+        throats: vec![e.flange_throat, e.web_throat],
     }
 }

@@ -191,6 +191,8 @@ pub struct Fastener {
     pub toward: f64,
     /// Centre of the head's bearing face \[mm\].
     pub head: [f64; 3],
+    /// Length of an anchor below the parts, to where it is held \[mm\]; `None`: a bolt.
+    pub anchor: Option<f64>,
     /// What it clamps, from head to nut.
     pub through: Vec<Ply>,
 }

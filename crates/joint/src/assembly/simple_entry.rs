@@ -142,6 +142,6 @@ pub(super) fn expected(
             ExpectedMember { role: entry.beam.clone(), flanges: Some(flanges) },
             ExpectedMember { role: entry.support.clone(), flanges: None },
         ],
-        throat: e.throat,
+        throats: vec![e.throat],
     }
 }

@@ -96,7 +96,7 @@ pub(super) fn expected(e: &CoverSplice, entry: &CoverSpliceEntry, frame: &Frame)
     };
     let s = &e.right.section;
     let (top, inside, web) = (0.5 * s.h, 0.5 * s.h - s.tf, 0.5 * s.tw);
-    let mut out = Expected { throat: 0.0, ..Expected::default() };
+    let mut out = Expected { throats: vec![0.0], ..Expected::default() };
     let mut plate = |label, p, q| out.plates.push(ExpectedPlate { label, extent: between(p, q) });
     for side in [1.0, -1.0] {
         let (outer, half) = (&e.outer, 0.5 * e.outer.length);

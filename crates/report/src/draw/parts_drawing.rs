@@ -206,6 +206,9 @@ fn legend(joint: &Content) -> Vec<Text> {
     for i in parts_list(joint) {
         let size = match &i.size {
             PartSize::Plate(sizes) => Text::given(sizes.map(n).join(" × ")),
+            PartSize::Anchor { size, below, .. } => {
+                say!("{}, {} below the plate", size, n(*below))
+            }
             PartSize::Bolt { size, length, grip } => {
                 let long = length.map_or_else(String::new, |l| format!(" × {}", n(l)));
                 say!("{}, grip {}", format!("{size}{long}"), n(*grip))

@@ -17,6 +17,12 @@ pub fn schedule(items: &[PartItem]) -> Table {
             PartSize::Bolt { length: None, grip, .. } => {
                 say!("longer than stocked, grip {} mm, with nut and 2 washers", n(*grip))
             }
+            PartSize::Anchor { size, below, grip } => say!(
+                "{}, {} mm and its anchorage below the plate, grip {} mm, with nut and washer",
+                size,
+                n(*below),
+                n(*grip)
+            ),
             PartSize::Plate(sizes) => sizes.map(n).join(" × ").into(),
         };
         let all = i.each.map(|m| m * i.count as f64);

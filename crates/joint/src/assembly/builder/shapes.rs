@@ -248,6 +248,7 @@ impl Context<'_> {
         out.fasteners = bolts
             .into_iter()
             .map(|b| Fastener {
+                anchor: b.anchor,
                 name: b.name,
                 axis: b.hole.axis,
                 toward: b.hole.toward,
