@@ -1,5 +1,5 @@
-//! Column bases from their specs: what checks and model know of concrete and anchors, bounds against
-//! hand values, and what no analysis may decide.
+//! Column bases from their specs: what checks and model know of concrete and anchors, bounds
+//! against hand values, and what no analysis may decide.
 
 use crate::built::{bounds, joint, model};
 use bracket::assembly::{Facts, Joint};
@@ -9,11 +9,12 @@ use bracket::model::file::{Axis, Law};
 
 /// A base of a HEB 200 with two rows of anchors outside the flanges.
 fn base(plate: &str, parameters: &str, load: &str) -> Joint {
+    let column = "{column: {profile: HEB200, steel: S235}}";
+    let anchors = "{size: M20, grade: \"8.8\", rows: [-140, 140]}";
     joint(&format!(
-        "template: column_base\nmembers: {{column: {{profile: HEB200, steel: S235}}}}\nplate: \
-         {{width: 260, {plate}}}\nbolts: {{size: M20, grade: \"8.8\", rows: [-140, 140]}}\nparameters: \
-         {{plate_length: 360, {parameters}}}\nfriction: {{mu: 0}}\nloads: [{{name: ULS1, end: column, at: bolt_plane, \
-         {load}}}]\n"
+        "template: column_base\nmembers: {column}\nplate: {{width: 260, {plate}}}\nbolts: \
+         {anchors}\nparameters: {{plate_length: 360, {parameters}}}\nfriction: {{mu: 0}}\n\
+         loads: [{{name: ULS1, end: column, at: bolt_plane, {load}}}]\n"
     ))
 }
 
@@ -69,8 +70,8 @@ fn the_model_stands_on_concrete() {
     }
 }
 
-/// Lifted, a thick plate carries F_t,Rd of its four anchors. Pressed, it sinks into weak concrete at
-/// f_jd under the plate without the holes and the patch.
+/// Lifted, a thick plate carries F_t,Rd of its four anchors. Pressed, it sinks into weak concrete
+/// at f_jd under the plate without the holes and the patch.
 #[test]
 fn bounds_of_a_base_under_axial_force() {
     let lifted = base("thickness: 60", "", "N: 1 kN");

@@ -110,7 +110,7 @@ impl Context<'_> {
     }
 }
 
-/// The concrete of a support; every size and strength must be positive, edges and grout may be zero.
+/// The concrete of a support: sizes and strengths are positive, edges and grout may be zero.
 fn foundation(at: &str, scope: &Scope, e: &GroundEntry) -> Result<Foundation, AssemblyError> {
     let positive = |what: &str, x: f64, unit: &str| {
         if x > 0.0 {
