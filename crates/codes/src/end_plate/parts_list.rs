@@ -123,6 +123,13 @@ impl PartSize {
             (PartSize::Bolt { size, grip, .. }, PartSize::Bolt { size: other, grip: far, .. }) => {
                 size == other && limits::same(*grip, *far)
             }
+            (
+                PartSize::Anchor { size, below, grip },
+                PartSize::Anchor { size: other, below: far_below, grip: far },
+            ) => {
+                let same = limits::same(*grip, *far) && limits::same(*below, *far_below);
+                size == other && same
+            }
             _ => false,
         }
     }

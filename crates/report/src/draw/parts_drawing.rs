@@ -53,7 +53,8 @@ fn window(joint: &Content) -> Option<Extent> {
     let bolts = joint.fasteners.iter().map(|b| {
         let mut e = b.head.map(|x| [x, x]);
         let nut = b.head[b.axis] + b.toward * b.grip();
-        e[b.axis] = [b.head[b.axis].min(nut), b.head[b.axis].max(nut)];
+        let start = b.head[b.axis] - b.toward * b.anchor.unwrap_or(0.0);
+        e[b.axis] = [start.min(nut), start.max(nut)];
         e
     });
     let near = all(&mut pieces.chain(bolts));
@@ -130,9 +131,13 @@ impl View {
                 continue;
             }
             let nut = b.toward * b.grip();
+            let (head, width) = match b.anchor {
+                Some(length) => (length, size.d),
+                None => (size.head_height, size.head_width),
+            };
             for (from, to, width) in [
                 (0.0, nut, size.d),
-                (-b.toward * size.head_height, 0.0, size.head_width),
+                (-b.toward * head, 0.0, width),
                 (nut, nut + b.toward * size.nut_height, size.nut_width),
             ] {
                 let half = 0.5 * width;
