@@ -7,6 +7,7 @@
 
 use crate::certify::faces::{ContactFace, contact_faces, roles};
 use crate::certify::fields::StressField;
+use crate::certify::measures::largest_of_each;
 use crate::certify::tractions::contact_tractions;
 use crate::certify::welds::{jumps, mean_of};
 use crate::elements::space::Tet10Space;
@@ -24,14 +25,24 @@ fn faces(model: &AnalysisModel) -> impl Iterator<Item = (f64, ContactFace<'_>)> 
     all.filter_map(|f| model.crushing_strength(f.of).map(|strength| (strength, f)))
 }
 
-/// Strength of the ground and pressures at the vertices of each face on crushing ground, under
-/// `loads` \[MPa\].
-fn pressures(model: &AnalysisModel, field: &StressField, loads: Loads) -> Vec<(f64, [f64; 3])> {
+/// The pressure on crushing ground at the vertices of a face.
+struct Pressed {
+    /// Number of the contact with the ground.
+    ground: usize,
+    /// Strength of the ground \[MPa\].
+    strength: f64,
+    /// Pressures \[MPa\].
+    pressure: [f64; 3],
+}
+
+/// The pressures on all crushing ground under `loads`, face by face.
+fn pressures(model: &AnalysisModel, field: &StressField, loads: Loads) -> Vec<Pressed> {
     let roles = roles(model, loads);
     let of_face = |(strength, f): (f64, ContactFace<'_>)| {
         let (n, _) = f.normal(model);
         let tractions = contact_tractions(model, field, &f, roles.get(&(f.a.tet, f.a.local)));
-        (strength, tractions.map(|t| vec3::dot(t, n)))
+        let ground = f.of - model.interfaces.len();
+        Pressed { ground, strength, pressure: tractions.map(|t| vec3::dot(t, n)) }
     };
     faces(model).map(of_face).collect()
 }
@@ -43,11 +54,10 @@ pub fn utilisations(model: &AnalysisModel, field: &StressField, loads: Loads) ->
         return Vec::new();
     }
     let mut out = vec![0.0; model.ground.len()];
-    for (face, (strength, p)) in faces(model).zip(pressures(model, field, loads)) {
-        let worst = &mut out[face.1.of - model.interfaces.len()];
-        for used in p.map(|p| p / strength) {
-            *worst = if used.is_nan() || f64::is_nan(*worst) { f64::NAN } else { used.max(*worst) };
-        }
+    for face in pressures(model, field, loads) {
+        let [a, b, c] = face.pressure.map(|p| p / face.strength);
+        let worst = &mut out[face.ground];
+        *worst = largest_of_each(&[*worst, a, b, c]).unwrap_or(*worst);
     }
     out
 }
@@ -60,8 +70,9 @@ pub fn pressure_pairs(
     b: (&StressField, Loads),
 ) -> Vec<(f64, [f64; 2])> {
     let (a, b) = (pressures(model, a.0, a.1), pressures(model, b.0, b.1));
-    let of_face = |((strength, a), (_, b)): ((f64, [f64; 3]), (f64, [f64; 3]))| {
-        a.into_iter().zip(b).map(move |(a, b)| (strength, [a, b]))
+    let of_face = |(a, b): (Pressed, Pressed)| {
+        let both = a.pressure.into_iter().zip(b.pressure);
+        both.map(move |(x, y)| (a.strength, [x, y]))
     };
     a.into_iter().zip(b).flat_map(of_face).collect()
 }

@@ -1,6 +1,8 @@
 //! Admissibility of the fields at random points inside elements and on faces.
 
-use crate::certify::faces::{contact_faces, roles, tie_faces, weld_faces};
+use crate::certify::faces::{
+    ContactFace, InterfaceFace, WeldFace, contact_faces, roles, tie_faces, weld_faces,
+};
 use crate::certify::fields::{DisplacementField, StressField};
 use crate::certify::slip::slip_faces;
 use crate::certify::tractions::{contact_tractions, stress_at};
@@ -216,6 +218,21 @@ fn largest_length(u: &DisplacementField) -> f64 {
     u.u.iter().map(|x| vec3::norm(*x)).fold(0.0, f64::max)
 }
 
+/// Largest value of a function of the traction at `points` random points of faces, at least zero.
+fn worst_traction<L>(
+    faces: &[InterfaceFace<'_, L>],
+    tractions: impl Fn(&InterfaceFace<'_, L>) -> [V3; 3],
+    (points, random): (usize, &mut Random),
+    of: impl Fn(&InterfaceFace<'_, L>, V3) -> f64,
+) -> f64 {
+    let mut worst = 0.0f64;
+    for _ in 0..points * usize::from(!faces.is_empty()) {
+        let f = &faces[random.index(faces.len())];
+        worst = worst.max(of(f, at(&tractions(f), random.barycentric())));
+    }
+    worst
+}
+
 /// Largest violation of a friction cone \[MPa\].
 fn traction_cones(
     model: &AnalysisModel,
@@ -224,31 +241,23 @@ fn traction_cones(
     points: usize,
     random: &mut Random,
 ) -> f64 {
-    let contacts = contact_faces(model);
     let roles = roles(model, loads);
-    let mut worst = 0.0f64;
-    for _ in 0..points * usize::from(!contacts.is_empty()) {
-        let f = &contacts[random.index(contacts.len())];
-        let r = contact_tractions(model, s, f, roles.get(&(f.a.tet, f.a.local)));
+    let tractions =
+        |f: &ContactFace<'_>| contact_tractions(model, s, f, roles.get(&(f.a.tet, f.a.local)));
+    worst_traction(&contact_faces(model), tractions, (points, random), |f, r| {
         let (n, _) = f.normal(model);
-        let r = at(&r, random.barycentric());
         let rn = vec3::dot(r, n);
         let rt = vec3::norm(vec3::sub(r, vec3::scale(rn, n)));
-        worst = worst.max(rt - f.law.mu * rn).max(-rn);
-    }
-    worst
+        (rt - f.law.mu * rn).max(-rn)
+    })
 }
 
 /// Largest traction of a weld over its strength.
 fn welds(model: &AnalysisModel, s: &StressField, points: usize, random: &mut Random) -> f64 {
-    let faces = weld_faces(model);
-    let mut worst = 0.0f64;
-    for _ in 0..points * usize::from(!faces.is_empty()) {
-        let f = &faces[random.index(faces.len())];
-        let t = at(&contact_tractions(model, s, f, None), random.barycentric());
-        worst = worst.max(vec3::norm(t) / f.law.strength);
-    }
-    worst
+    let tractions = |f: &WeldFace<'_>| contact_tractions(model, s, f, None);
+    worst_traction(&weld_faces(model), tractions, (points, random), |f, t| {
+        vec3::norm(t) / f.law.strength
+    })
 }
 
 /// Largest pressure on crushing ground over its strength.
@@ -262,15 +271,12 @@ fn crushing(
     let mut contacts = contact_faces(model);
     contacts.retain(|f| model.crushing_strength(f.of).is_some());
     let roles = roles(model, loads);
-    let mut worst = 0.0f64;
-    for _ in 0..points * usize::from(!contacts.is_empty()) {
-        let f = &contacts[random.index(contacts.len())];
-        let r = contact_tractions(model, s, f, roles.get(&(f.a.tet, f.a.local)));
-        let pressure = vec3::dot(at(&r, random.barycentric()), f.normal(model).0);
-        let strength = model.crushing_strength(f.of).unwrap_or(f64::INFINITY);
-        worst = worst.max(pressure / strength);
-    }
-    worst
+    let tractions =
+        |f: &ContactFace<'_>| contact_tractions(model, s, f, roles.get(&(f.a.tet, f.a.local)));
+    worst_traction(&contacts, tractions, (points, random), |f, r| {
+        let pressure = vec3::dot(r, f.normal(model).0);
+        model.crushing_strength(f.of).map_or(0.0, |strength| pressure / strength)
+    })
 }
 
 /// Largest violation of the contact law, none on ground that crushes \[mm\]. With `initial` initial

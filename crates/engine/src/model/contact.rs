@@ -2,7 +2,7 @@
 
 use super::analysis::{AnalysisModel, ContactLaw};
 use super::opening::Bernstein;
-use crate::model::{AnalysisKind, FrictionLaw};
+use crate::model::FrictionLaw;
 use bracket_base::math::vec3::V3;
 
 impl ContactLaw {
@@ -26,17 +26,15 @@ impl AnalysisModel {
         }
     }
 
-    /// Pressure at which the ground of a contact crushes \[MPa\]; `None`: between bodies, on ground
-    /// that never crushes, and in analyses other than limit analysis.
+    /// Pressure at which the ground of a contact crushes \[MPa\]; `None`: between bodies and on
+    /// ground that never crushes.
     pub fn crushing_strength(&self, contact: usize) -> Option<f64> {
-        let ground = self.ground.get(contact.checked_sub(self.interfaces.len())?)?;
-        ground.strength.filter(|_| self.analysis == AnalysisKind::Limit)
+        self.ground.get(contact.checked_sub(self.interfaces.len())?)?.strength
     }
 
     /// True when the ground of some contact crushes.
     pub fn has_crushing_ground(&self) -> bool {
-        let all = self.interfaces.len()..self.interfaces.len() + self.ground.len();
-        all.into_iter().any(|contact| self.crushing_strength(contact).is_some())
+        self.ground.iter().any(|g| g.strength.is_some())
     }
 
     /// The model with ground that never crushes.

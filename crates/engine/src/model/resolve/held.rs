@@ -93,7 +93,7 @@ pub(super) fn supports(
     (supports, ground)
 }
 
-/// Reads `strength` of a contact with the ground.
+/// Reads `strength` of a contact with the ground; none in analyses other than limit analysis.
 fn crushing_strength(
     entry: &SupportEntry,
     path: &str,
@@ -114,6 +114,7 @@ fn crushing_strength(
             "the ground under {} is rigid here: its strength counts in limit analysis only",
             entry.face.clone()
         ));
+        return None;
     }
     Some(strength)
 }
