@@ -247,9 +247,18 @@ pub fn starter(
          factor of cross-sections; each of them 0.5 to 3, in place of the annex\n  # gamma_M1: \
          1.0  # of instability\n  # gamma_M2: 1.25  # of bolts and welds\n  # gamma_M3: 1.25  # \
          of slip at the ultimate limit state\n  # gamma_M3_ser: 1.1  # of slip at \
-         serviceability\n  # gamma_M7: 1.1  # of the preload of bolts\n  # fy_source: table_3_1  \
-         # or product_standard: steps of f_y from 16 mm up\n  # prying: by_length  # or always: \
-         prying forces in every T-stub, whatever the length of the bolts\n\n",
+         serviceability\n  # gamma_M7: 1.1  # of the preload of bolts\n",
+    );
+    if template.supports.iter().any(|s| s.ground.is_some()) {
+        out.push_str(
+            "  # gamma_c: 1.5  # of concrete\n  # alpha_cc: 1.0  # coefficient of the strength of \
+             concrete; 0.8 to 1\n",
+        );
+    }
+    out.push_str(
+        "  # fy_source: table_3_1  # or product_standard: steps of f_y from 16 mm up\n  # prying: \
+         by_length  # or always: prying forces in every T-stub, whatever the length of the \
+         bolts\n\n",
     );
     // blanks, `#` and quotes in a path would end the YAML text
     let plain = |c: char| c.is_alphanumeric() || "_-./\\".contains(c);
