@@ -13,8 +13,8 @@ use crate::strength::DesignStrengths;
 use bracket_engine::mesh::TetMesh;
 use bracket_engine::model::AnalysisKind;
 use bracket_engine::model::file::{
-    Axis, Bounds, Gap, InterfaceEntry, Law, LoadEntry, ModelFile, Motion, Nodes, PreloadEntry,
-    RigidEntry, SupportEntry,
+    Axis, Bounds, Gap, InterfaceEntry, Law, LinearTraction, LoadEntry, ModelFile, Motion, Nodes,
+    PreloadEntry, RigidEntry, SupportEntry,
 };
 
 const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
@@ -133,14 +133,19 @@ pub fn model_file(
         assembly.loads.iter().filter(|l| l.case == *case && has_face(&l.face)).collect();
     let loads = |dead: bool| -> Vec<LoadEntry> {
         let entry = |l: &&FaceLoad| match l.action {
-            Action::Traction(t) if l.dead == dead => Some(LoadEntry {
+            Action::Traction(t) => Some(LoadEntry {
                 face: Some(l.face.clone()),
                 traction: Some(t),
                 ..LoadEntry::default()
             }),
-            _ => None,
+            Action::Linear { traction0, gradient } => Some(LoadEntry {
+                face: Some(l.face.clone()),
+                linear: Some(LinearTraction { traction0, gradient }),
+                ..LoadEntry::default()
+            }),
+            Action::Resultant { .. } => None,
         };
-        here.iter().filter_map(entry).collect()
+        here.iter().filter(|l| l.dead == dead).filter_map(entry).collect()
     };
     ModelFile {
         mesh: mesh_name.to_string(),

@@ -359,6 +359,13 @@ pub struct FaceSupport {
 pub enum Action {
     /// Constant traction \[MPa\].
     Traction([f64; 3]),
+    /// Traction that varies linearly with the position, `t = traction0 + gradient·x`.
+    Linear {
+        /// Traction at the origin \[MPa\].
+        traction0: [f64; 3],
+        /// `gradient[i][j] = ∂t_i/∂x_j` \[MPa/mm\].
+        gradient: [[f64; 3]; 3],
+    },
     /// Force and moment on a section that stays plane and keeps its shape. The axes are global and
     /// moments are right-handed.
     Resultant {

@@ -2,8 +2,9 @@
 
 use super::assembly::Surface;
 use super::error::AssemblyError;
+use super::extent::Extent;
 use super::scope::Scope;
-use super::template::{RectangleEntry, Template};
+use super::template::{BoxEntry, RectangleEntry, Template};
 use crate::spec::expr::ExprError;
 use bracket_base::diag::AtLeastOne;
 
@@ -27,6 +28,19 @@ pub(super) fn identifier(at: &str, name: String) -> Result<String, AssemblyError
             at,
             format!("`{name}` is not a name: capitals, digits and `_`, a capital first"),
         )
+    }
+}
+
+/// The extent of a box.
+pub(super) fn block(at: &str, s: &Scope, b: &BoxEntry) -> Result<Extent, AssemblyError> {
+    let x = [
+        within(at, s.interval(&b.x))?,
+        within(at, s.interval(&b.y))?,
+        within(at, s.interval(&b.z))?,
+    ];
+    match (0..3).find(|&k| x[k][1] - x[k][0] <= 0.0) {
+        Some(k) => entry_fault(at, format!("a box has no extent along {}", ["x", "y", "z"][k])),
+        None => Ok(x),
     }
 }
 

@@ -37,6 +37,7 @@ pub mod rafter;
 pub mod scope;
 mod seen_bolts;
 pub mod shaped;
+mod shear_reaction;
 pub mod sheets;
 mod simple_entry;
 pub mod simple_joint;

@@ -138,8 +138,8 @@ fn same_load(a: V3, b: V3) -> bool {
 /// A load: its place and other data that must be exactly equal, and its vectors.
 struct Acting<'a> {
     place: (Option<Face>, &'a str, bool, Option<Point>),
-    /// Traction \[MPa\], or force \[N\] and moment \[N mm\].
-    vectors: [V3; 2],
+    /// Traction \[MPa\] and its derivatives \[MPa/mm\], or force \[N\] and moment \[N mm\].
+    vectors: Vec<V3>,
 }
 
 impl Acting<'_> {
@@ -153,10 +153,23 @@ impl Acting<'_> {
 fn loads<'a>(a: &'a Assembly, shapes: &Shapes<'a>, mirror: Option<usize>) -> Vec<Acting<'a>> {
     let acting = |l: &'a FaceLoad| {
         let (at, vectors) = match l.action {
-            Action::Traction(t) => (None, [mirrored(t, mirror), [0.0; 3]]),
+            Action::Traction(t) => (None, vec![mirrored(t, mirror)]),
+            Action::Linear { traction0, gradient } => {
+                let derivative = |j: usize| {
+                    let along = mirrored(gradient.map(|row| row[j]), mirror);
+                    if mirror == Some(j) { along.map(|c| -c) } else { along }
+                };
+                (
+                    None,
+                    [mirrored(traction0, mirror)]
+                        .into_iter()
+                        .chain((0..3).map(derivative))
+                        .collect(),
+                )
+            }
             Action::Resultant { at, force, moment } => (
                 Some(round(at, mirror)),
-                [mirrored(force, mirror), mirrored_moment(moment, mirror)],
+                vec![mirrored(force, mirror), mirrored_moment(moment, mirror)],
             ),
         };
         Acting { place: (face(a, shapes, &l.face, mirror), &l.case, l.dead, at), vectors }

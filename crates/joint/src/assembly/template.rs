@@ -14,7 +14,9 @@ mod parameter;
 mod parts;
 mod simple_joint;
 
-pub use boundary::{ClearanceEntry, EndEntry, GroundEntry, SectionEntry, SupportEntry};
+pub use boundary::{
+    ClearanceEntry, EndEntry, GroundEntry, SectionEntry, ShearReactionEntry, SupportEntry,
+};
 pub use column_base::ColumnBaseEntry;
 pub use common::{Axis, Loop, RectangleEntry};
 pub use connections::{BoltEntry, ContactEntry, GripEntry, WeldEntry};
@@ -78,6 +80,8 @@ pub struct Template {
     /// Supports.
     #[serde(default)]
     pub supports: Vec<SupportEntry>,
+    /// What balances shear and torsion where the supports of a plate on ground do not.
+    pub shear_reaction: Option<ShearReactionEntry>,
     /// Distances to keep.
     #[serde(default)]
     pub clearances: Vec<ClearanceEntry>,

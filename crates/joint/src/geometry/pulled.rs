@@ -97,7 +97,9 @@ fn through(assembly: &Assembly, bolt: &Shank, out: f64, case: &str) -> Option<(V
                 let sides = [(axis + 1) % 3, (axis + 2) % 3].map(|k| max[k] - min[k]);
                 (t.map(|c| c * sides[0] * sides[1]), [0.0; 3], centre)
             }
-            (Action::Traction(_), Surface::Mantle { .. }) => return None,
+            (Action::Linear { .. }, _) | (Action::Traction(_), Surface::Mantle { .. }) => {
+                return None;
+            }
         };
         force = add(force, f);
         moment = add(moment, add(m, cross(sub(at, about), f)));

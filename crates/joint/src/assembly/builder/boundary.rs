@@ -10,6 +10,7 @@ use crate::assembly::foundation::Foundation;
 use crate::assembly::load_checks;
 use crate::assembly::member_ends;
 use crate::assembly::scope::Scope;
+use crate::assembly::shear_reaction;
 use crate::assembly::template::{Axis, GroundEntry};
 use crate::spec::expr::Expr;
 use crate::strength::Nominal;
@@ -90,6 +91,11 @@ impl Context<'_> {
                     dead: l.dead,
                 });
             }
+        }
+        if let Some(e) = &self.template.shear_reaction {
+            let edges = shear_reaction::edges(e, self.scope)?;
+            out.extend(edges.reactions(&out));
+            faces.extend(edges.faces);
         }
         Ok(out)
     }

@@ -8,11 +8,11 @@ use crate::assembly::content::{
     Content, Extent, Fastener, Length, Piece, PieceKind, Ply, SAME_PLACE, cut,
 };
 use crate::assembly::error::AssemblyError;
-use crate::assembly::evaluate::{entry_fault, within};
+use crate::assembly::evaluate::{block, entry_fault, within};
 use crate::assembly::part::Placed;
 use crate::assembly::scope::Scope;
 use crate::assembly::shaped::{PlacedShape, Walls};
-use crate::assembly::template::{BoxEntry, PartEntry, PrismEntry, SolidEntry, TurnEntry};
+use crate::assembly::template::{PartEntry, PrismEntry, SolidEntry, TurnEntry};
 use crate::assembly::turn::Turn;
 use crate::catalog::{Section, SectionKind};
 use bracket_base::say;
@@ -181,7 +181,7 @@ impl Context<'_> {
                             }
                         }
                     }
-                    (None, Some(b), None) => Body::Cuboid(cuboid(at, &s, b)?),
+                    (None, Some(b), None) => Body::Cuboid(block(at, &s, b)?),
                     (None, None, Some(p)) => Body::Prism(outline(at, &s, p)?),
                     _ => {
                         return entry_fault(
@@ -199,7 +199,7 @@ impl Context<'_> {
                 let mut cuts = Vec::new();
                 for cut in &solid.cut {
                     for s in within(at, s.turns(&cut.each, cut.when.as_ref()))? {
-                        cuts.push(cuboid(at, &s, &cut.cuboid)?);
+                        cuts.push(block(at, &s, &cut.cuboid)?);
                     }
                 }
                 out.push(Shape { entry: solid, scope: s, body, turn, cuts });
@@ -379,19 +379,6 @@ fn flips(
             entry_fault(at, format!("`flip` along {axis} leaves {kind} as it is: leave it out"))
         }
         None => Ok(()),
-    }
-}
-
-/// The extent of a box.
-fn cuboid(at: &str, s: &Scope, b: &BoxEntry) -> Result<Extent, AssemblyError> {
-    let x = [
-        within(at, s.interval(&b.x))?,
-        within(at, s.interval(&b.y))?,
-        within(at, s.interval(&b.z))?,
-    ];
-    match (0..3).find(|&k| x[k][1] - x[k][0] <= 0.0) {
-        Some(k) => entry_fault(at, format!("a box has no extent along {}", ["x", "y", "z"][k])),
-        None => Ok(x),
     }
 }
 

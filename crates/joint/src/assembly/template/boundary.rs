@@ -1,6 +1,7 @@
 //! Template entries of faces that carry loads and supports, and of distances between parts.
 
 use super::common::{Axis, Loop, RectangleEntry};
+use super::parts::BoxEntry;
 use crate::spec::expr::Expr;
 use crate::spec::loads::ActionPoint;
 use schemars::JsonSchema;
@@ -118,6 +119,20 @@ pub struct GroundEntry {
     pub grout_strength: Expr,
     /// Coefficient of friction C_f,d between plate and grout.
     pub friction: Expr,
+}
+
+/// The reaction to shear and torsion of a plate that lies in x and y: tractions on its four edges,
+/// even along them, with their resultant in a given plane.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ShearReactionEntry {
+    /// The part of the plate.
+    pub part: String,
+    /// The plate.
+    #[serde(rename = "box")]
+    pub block: BoxEntry,
+    /// Height of the plane of the resultant.
+    pub level: Expr,
 }
 
 /// Two parts that must stay apart.
