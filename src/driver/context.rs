@@ -13,4 +13,6 @@ pub struct RunContext {
     pub files: Vec<(String, String)>,
     /// What the diagram of moment and rotation shows beside the resistance.
     pub rotation: moment_rotation::Frame,
+    /// What the capacity polygon of N and My shows of the code: corners N, My \[N, N mm\].
+    pub axial_moment: Option<Vec<[f64; 2]>>,
 }

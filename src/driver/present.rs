@@ -61,7 +61,8 @@ pub fn present(
     if let Some(polygon) = &judged.result.polygon {
         let [a, b] = polygon.axes.each_ref().map(|a| &a.action);
         let caption = say!("Capacity in {} and {}", a, b);
-        let (picture, text) = polygon::drawing(polygon).picture("polygon.svg", caption);
+        let (picture, text) = polygon::drawing(polygon, context.axial_moment.as_deref())
+            .picture("polygon.svg", caption);
         folder.write(&picture.file, text.as_bytes())?;
         drawn.pictures.insert(0, picture);
     }

@@ -53,7 +53,7 @@ pub fn spec_context(path: &Path, input: &SpecFile) -> Result<RunContext, Diagnos
         block.extend(value.clone().map(|v| (name.to_string(), v)));
     }
     let joint = &input.joint;
-    let JointDrawings { pictures, workshop, frame } =
+    let JointDrawings { pictures, workshop, frame, axial_moment } =
         JointDrawings::new(joint.facts.as_ref(), &joint.content, project.language);
     let (drawings, texts): (Vec<PictureRef>, Vec<String>) = pictures.into_iter().unzip();
     let names = drawings.iter().map(|d| d.file.clone());
@@ -79,6 +79,7 @@ pub fn spec_context(path: &Path, input: &SpecFile) -> Result<RunContext, Diagnos
             supports: supports(&input.joint.assembly, &design_strengths(&input.joint)),
         },
         rotation: frame,
+        axial_moment,
         files,
     })
 }

@@ -8,6 +8,7 @@
 mod anchorage;
 mod case_end;
 mod compression;
+mod diagram;
 pub mod effective_area;
 mod forces;
 mod load_cases;
@@ -20,6 +21,7 @@ mod weld_checks;
 use crate::end_plate::HandChecks;
 use bracket_joint::assembly::ColumnBase;
 
+pub use diagram::moment_axial;
 pub use forces::moment_resistance;
 
 /// All hand checks of a column base.

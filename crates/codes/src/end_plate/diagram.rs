@@ -22,8 +22,9 @@ const EACH: usize = 2;
 pub struct MomentAxial {
     /// The curve of one β; of load cases with many β those of the smallest and of the largest.
     pub curves: Vec<Curve>,
-    /// Axial force up to which its effect on the moment resistance is neglected \[N\].
-    pub small: f64,
+    /// Axial force up to which its effect on the moment resistance is neglected \[N\]; `None`:
+    /// it never is.
+    pub small: Option<f64>,
     /// The load cases of the diagram.
     pub demands: Vec<Point>,
 }
@@ -35,9 +36,9 @@ pub struct Curve {
     pub beta: f64,
     /// The interaction curve: N and M \[N, N mm\], positive for tension and for tension at the top.
     pub border: Vec<[f64; 2]>,
-    /// M_j,Rd for tension at the top and for tension at the bottom \[N mm\], which limits the
-    /// moment; 0 where the tables do not cover the sense.
-    pub resistance: [f64; 2],
+    /// M_j,Rd for tension at the top and for tension at the bottom \[N mm\], where it limits the
+    /// moment also under compression; 0 where the tables do not cover the sense.
+    pub resistance: Option<[f64; 2]>,
 }
 
 /// A load case at a member end.
@@ -71,7 +72,7 @@ impl Resistance {
     fn curve(&self) -> Curve {
         let Self { beta, moments: resistance, .. } = *self;
         let border = self.equilibrium.diagram(resistance[0].max(resistance[1]), POINTS);
-        Curve { beta, border, resistance }
+        Curve { beta, border, resistance: Some(resistance) }
     }
 
     /// The load case of actions with this β.
@@ -106,7 +107,7 @@ pub fn moment_axial(e: &EndPlate) -> Vec<MomentAxial> {
     };
     let diagram = |r: &Resistance, curves: Vec<Curve>, demands: Vec<Point>| MomentAxial {
         curves,
-        small: SMALL_AXIAL * r.equilibrium.plastic,
+        small: Some(SMALL_AXIAL * r.equilibrium.plastic),
         demands,
     };
     match (found.first(), found.last()) {

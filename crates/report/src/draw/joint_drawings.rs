@@ -7,10 +7,11 @@ use crate::words::Words;
 use bracket_base::say;
 use bracket_codes::check::number;
 use bracket_codes::end_plate::stocked_length;
-use bracket_joint::assembly::{Content, EndPlate, Facts};
+use bracket_joint::assembly::{ColumnBase, Content, EndPlate, Facts};
 use bracket_joint::spec::connection::Language;
 
 /// What a report shows of a joint before it is analysed.
+#[derive(Default)]
 pub struct JointDrawings {
     /// Drawings of the joint, with the dimensions that the hand checks read, and of the actions at
     /// the member ends.
@@ -19,6 +20,9 @@ pub struct JointDrawings {
     pub workshop: Vec<(String, String)>,
     /// What the diagram of moment and rotation shows of the frame.
     pub frame: Frame,
+    /// Corners N, My \[N, N mm\] of what the code allows of both together, beside the capacity
+    /// polygon of these two.
+    pub axial_moment: Option<Vec<[f64; 2]>>,
 }
 
 impl JointDrawings {
@@ -29,9 +33,10 @@ impl JointDrawings {
                 pictures: of_end_plate(e, content),
                 workshop: vec![(dxf::DXF_FILE.into(), plate(e, content, language))],
                 frame: Frame::of(e),
+                axial_moment: None,
             },
             Some(Facts::Simple(e)) => Self::of_parts(content, Some(e.hole), language),
-            Some(Facts::ColumnBase(e)) => Self::of_parts(content, Some(e.hole), language),
+            Some(Facts::ColumnBase(e)) => Self::of_base(e, content, language),
             Some(Facts::CoverSplice(e)) => Self::of_parts(content, Some(e.hole), language),
             None => Self::of_parts(content, None, language),
         }
@@ -44,7 +49,18 @@ impl JointDrawings {
         let pictures = vec![views.picture("drawing.svg", "Two views of the joint")];
         let words = Words::new(language);
         let workshop = hole.map(|hole| dxf::bolted_plates(content, hole, &words));
-        Self { pictures, workshop: workshop.unwrap_or_default(), frame: Frame::default() }
+        Self { pictures, workshop: workshop.unwrap_or_default(), ..Self::default() }
+    }
+
+    fn of_base(e: &ColumnBase, content: &Content, language: Language) -> Self {
+        let mut out = Self::of_parts(content, Some(e.hole), language);
+        if let Some(mut diagram) = bracket_codes::column_base::moment_axial(e) {
+            let caption = "Moment and axial force that the base carries by the code";
+            let drawn = moment_axial::drawing(&diagram);
+            out.pictures.push(drawn.picture("moment_axial.svg", caption));
+            out.axial_moment = diagram.curves.pop().map(|c| c.border);
+        }
+        out
     }
 }
 

@@ -36,13 +36,12 @@ pub fn drawing(diagram: &MomentAxial) -> Svg {
         d.polygon(Pen::Edge, fill, &points);
     }
     // the strip in which 6.2.7.1(2) neglects the axial force
-    let [small, _] = show([diagram.small, 0.0]);
-    for x in [-small, small] {
+    for x in diagram.small.iter().flat_map(|n| [-1e-3 * n, 1e-3 * n]) {
         d.line(Pen::Hidden, axes.at([x, -axes.reach()[1]]), axes.at([x, axes.reach()[1]]));
     }
     // a compressive force does not raise the moment resistance above M_j,Rd
-    for curve in &diagram.curves {
-        let [top_sense, bottom_sense] = curve.resistance.map(|m| show([0.0, m])[1]);
+    for resistance in diagram.curves.iter().filter_map(|c| c.resistance) {
+        let [top_sense, bottom_sense] = resistance.map(|m| show([0.0, m])[1]);
         for y in [top_sense, -bottom_sense] {
             d.line(Pen::Hidden, axes.at([-axes.reach()[0], y]), axes.at([axes.reach()[0], y]));
         }
@@ -60,18 +59,20 @@ pub fn drawing(diagram: &MomentAxial) -> Svg {
     let mut y = top + 2.0 * LINE;
     for (curve, fill) in diagram.curves.iter().zip(REGIONS) {
         d.rectangle(Pen::Edge, fill, [legend, y], [legend + 22.0, y + 12.0]);
-        let text = match diagram.curves.len() {
-            1 => "in plastic equilibrium of the components".into(),
+        let text = match (diagram.curves.len(), curve.resistance) {
+            (_, None) => "forces of both sides within their resistances".into(),
+            (1, _) => "in plastic equilibrium of the components".into(),
             _ => say!("in plastic equilibrium of the components, β = {}", number(curve.beta)),
         };
         d.text([legend + 30.0, y + 6.0], Anchor::Start, text);
         y += 1.5 * LINE;
     }
+    let limited = diagram.curves.iter().any(|c| c.resistance.is_some());
     let dashed = [
-        "horizontal: M_j,Rd, the limit also under compression",
-        "vertical: 5 % of N_pl,Rd, inside which N is not added",
+        (limited, "horizontal: M_j,Rd, the limit also under compression"),
+        (diagram.small.is_some(), "vertical: 5 % of N_pl,Rd, inside which N is not added"),
     ];
-    for text in dashed {
+    for (_, text) in dashed.into_iter().filter(|(drawn, _)| *drawn) {
         d.line(Pen::Hidden, [legend, y + 6.0], [legend + 22.0, y + 6.0]);
         d.text([legend + 30.0, y + 6.0], Anchor::Start, text);
         y += 1.5 * LINE;
@@ -108,7 +109,7 @@ mod tests {
     fn curve(beta: f64, scale: f64) -> Curve {
         let border = [[4e5, 0.0], [0.0, 8e7], [-9e5, 0.0], [0.0, -6e7]];
         let border = border.map(|p| p.map(|x| scale * x)).into();
-        Curve { beta, border, resistance: [8e7, 6e7] }
+        Curve { beta, border, resistance: Some([8e7, 6e7]) }
     }
 
     /// The border, every load case by name and the strip without axial force.
@@ -116,7 +117,7 @@ mod tests {
     fn the_diagram_shows_border_demands_and_the_strip() {
         let diagram = MomentAxial {
             curves: vec![curve(1.0, 1.0)],
-            small: 6e4,
+            small: Some(6e4),
             demands: vec![
                 point("ULS1".into(), [1e5, 5e7], 0.9),
                 point("ULS2".into(), [-2e5, 1e7], 1.1),
@@ -137,7 +138,7 @@ mod tests {
         let at = |i: usize| [1e3 * i as f64, 1e6 * (i % 7) as f64];
         let demands = (0..50).map(|i| point(format!("LC{i}"), at(i), 0.021 * i as f64)).collect();
         let curves = vec![curve(0.5, 1.0), curve(1.5, 0.7)];
-        let svg = drawing(&MomentAxial { curves, small: 6e4, demands }).file;
+        let svg = drawing(&MomentAxial { curves, small: Some(6e4), demands }).file;
         assert_eq!((svg.matches("<polygon").count(), svg.matches("<circle").count()), (2, 52));
         assert!(svg.contains("LC49") && svg.contains("LC38") && !svg.contains("LC37"), "{svg}");
         for part in ["β = 0.5", "β = 1.5", "48 load cases that", "2 load cases beyond", "the 12 "]

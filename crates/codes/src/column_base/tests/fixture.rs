@@ -36,7 +36,7 @@ pub(super) fn actions([n, vz, my]: [f64; 3]) -> PlaneActions {
 }
 
 /// HE200B on a plate 340x340x18 of S235, concrete C12/15, k_j = 2.5, M20 8.8 at ±140 mm.
-pub(super) fn base() -> ColumnBase {
+pub(in crate::column_base) fn base() -> ColumnBase {
     let plate = [340.0, 340.0];
     ColumnBase {
         section: BaseSection::I(CATALOG.profile("HE200B").expect("a profile").clone()),
