@@ -1,11 +1,12 @@
 """Random specs of every template."""
 
+import base_scenes
 import bolted_scenes
 import eaves_scenes
 from spec_scenes import ALL_SIX, common, end_loads, splice, tees, to_column, to_web
 
 # by template
-SCENES = bolted_scenes.SCENES | eaves_scenes.SCENES
+SCENES = base_scenes.SCENES | bolted_scenes.SCENES | eaves_scenes.SCENES
 
 
 def draw(r, catalogue):

@@ -66,7 +66,8 @@ fn of_sides(e: &ColumnBase, a: &PlaneActions, forces: &Forces) -> Vec<Check> {
     let [[_, _, v], [_, m, _]] = a.at(1.0);
     let mut out = Vec::new();
     for (side, force) in forces {
-        let subject = at(a).and(if *side > 0.0 { Part::UpperFlange } else { Part::LowerFlange });
+        let flange = if *side > 0.0 { Part::FlangeAtPlus } else { Part::FlangeAtMinus };
+        let subject = at(a).and(flange);
         match force {
             Force::Tension(row, force) => {
                 let worked = row.resistance.clone().after(force.clone());

@@ -19,7 +19,16 @@ pub(super) fn checks(e: &ColumnBase) -> Vec<Check> {
                     the plate; above 50 mm as strong as the concrete";
         Check::undecided(topic, concrete, clause, id, why, step)
     }));
-    out.extend(pattern_checks(Part::BasePlate, &pattern(e)));
+    // the greatest distances keep plies together against buckling and corrosion: here is no second
+    // ply
+    let exposed = [
+        CheckId::EndDistanceExposed,
+        CheckId::EdgeDistanceExposed,
+        CheckId::PitchOfRowsExposed,
+        CheckId::GaugeOfColumnsExposed,
+    ];
+    let distances = pattern_checks(Part::BasePlate, &pattern(e));
+    out.extend(distances.into_iter().filter(|c| !exposed.contains(&c.id())));
     let p = profile(e);
     let piece = |part, thickness, steel| Piece { part, thickness, steel, welded: true };
     let parts = [

@@ -66,6 +66,10 @@ pub enum Part {
     UpperFlange,
     /// The lower flange of a spliced member.
     LowerFlange,
+    /// The flange of a column at positive x.
+    FlangeAtPlus,
+    /// The flange of a column at negative x.
+    FlangeAtMinus,
     /// Either flange of a spliced member.
     SplicedFlange,
     /// The web of a spliced member.
@@ -134,6 +138,8 @@ impl Part {
             Part::RightMember => "right member",
             Part::UpperFlange => "upper flange",
             Part::LowerFlange => "lower flange",
+            Part::FlangeAtPlus => "flange at positive x",
+            Part::FlangeAtMinus => "flange at negative x",
             Part::SplicedFlange => "flange",
             Part::SplicedWeb => "web",
             Part::OuterCover => "outer cover",

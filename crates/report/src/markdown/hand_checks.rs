@@ -96,33 +96,36 @@ pub(crate) const TOPICS: [(Topic, &str, &str); 8] = [
         Topic::Bolts,
         "Bolts",
         "First the resistances of one bolt, then the demands of the load cases, which decide the \
-         verdict. The tension in a row is its resistance by the component method, prying \
-         included, times the utilisation of the joint. Shear is shared in proportion to what \
-         tension leaves, 1 − F_t,Ed/(1.4 F_t,Rd), so that bolts without tension carry most of it.",
+         verdict. Of an end plate, the tension in a row is its resistance by the component \
+         method, prying included, times the utilisation of the joint; shear is shared in \
+         proportion to what tension leaves, 1 − F_t,Ed/(1.4 F_t,Rd), so that bolts without \
+         tension carry most of it.",
     ),
     (
         Topic::Welds,
         "Welds",
-        "Where a weld has no throat, beam and end plate are tied as by a butt weld; fillet welds \
-         on both sides need the throats listed here to be as strong. Where a weld has a throat, \
-         limit analysis counts with its strength. In the checks the flange welds carry moment and \
-         axial force; the web welds carry the shear force and, beside the rows in tension, the \
-         forces of these rows as well. No weld may be weaker than the joint (6.2.3(4)).",
+        "Where a weld has no throat, the parts are tied as by a butt weld; fillet welds on both \
+         sides need the throats listed here to be as strong. Where a weld has a throat, limit \
+         analysis counts with its strength. In the checks the flange welds carry moment and axial \
+         force; the web welds carry the shear force and, beside the rows of an end plate in \
+         tension, the forces of these rows as well. No weld may be weaker than the joint \
+         (6.2.3(4)).",
     ),
     (
         Topic::Member,
-        "Beam and stiffeners at the joint",
-        "The cross-section of the beam under the actions at the joint (EN 1993-1-1 6.2), and the \
-         column stiffeners with the section that the cut at the root leaves. They decide the \
-         verdict, because the mesh contains neither local buckling of the beam nor that cut.",
+        "Member and stiffeners at the joint",
+        "The cross-section of the member under the actions at the joint (EN 1993-1-1 6.2), and \
+         the column stiffeners of a beam joint with the section that the cut at the root leaves. \
+         They decide the verdict, because the mesh contains neither local buckling of the member \
+         nor that cut.",
     ),
     (
         Topic::ComponentMethod,
         "Component method",
-        "For both senses of bending; rows are counted from the tension side. Every T-stub follows \
-         Table 6.2. The strength by this method decides a load case that no limit analysis \
-         decides. Where a limit analysis decides and no part can buckle, a demand above this \
-         resistance is a warning.",
+        "The strength by this method decides a load case that no limit analysis decides. Where a \
+         limit analysis decides and no part can buckle, a demand above this resistance is a \
+         warning. The rows of an end plate are counted from the tension side, for both senses of \
+         bending; every T-stub follows Table 6.2.",
     ),
     (
         Topic::Stability,
@@ -134,7 +137,7 @@ pub(crate) const TOPICS: [(Topic, &str, &str); 8] = [
     (
         Topic::Stiffness,
         "Stiffness",
-        "For information. The class depends on the system length of the beam and on the kind of \
+        "For information. The class depends on the system length of the member and on the kind of \
          frame.",
     ),
     (
