@@ -11,7 +11,9 @@ mod compression;
 mod diagram;
 pub mod effective_area;
 mod forces;
+mod hollow;
 mod load_cases;
+mod open_actions;
 mod range_checks;
 mod shear;
 mod stiffness;
@@ -20,6 +22,7 @@ mod weld_checks;
 
 use crate::end_plate::HandChecks;
 use bracket_joint::assembly::ColumnBase;
+use compression::IBase;
 
 pub use diagram::moment_axial;
 pub use forces::moment_resistance;
@@ -28,10 +31,13 @@ pub use forces::moment_resistance;
 pub fn base_checks(e: &ColumnBase) -> HandChecks {
     let mut out = HandChecks { checks: range_checks::checks(e), ..HandChecks::default() };
     out.checks.extend(shear::resistances(e));
-    out.checks.extend(weld_checks::sizes(e));
+    let of_column = IBase::of(e).map(|i| (weld_checks::sizes(&i), load_cases::checks(&i)));
+    let of_hollow = hollow::section(e).map(|h| (hollow::weld_size(e, &h), hollow::checks(e, &h)));
+    let (welds, cases) = of_column.or(of_hollow).unwrap_or_default();
+    out.checks.extend(welds);
     let service = e.actions.iter().filter(|a| !a.state.is_ultimate());
     out.serviceability.extend(service.map(|a| a.case.clone()));
-    out.checks.extend(load_cases::checks(e));
+    out.checks.extend(cases);
     out.checks.sort_by_key(|c| c.topic);
     out
 }

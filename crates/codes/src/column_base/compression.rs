@@ -1,6 +1,6 @@
 //! Resistance of a base to compression: on its whole effective area, and under one flange.
 
-use super::effective_area::IArea;
+use super::effective_area::{IArea, circular_hollow, rectangular_hollow};
 use crate::check::{CheckId, Unit};
 use crate::error::CheckError;
 use crate::eurocode::concrete::{additional_width, bearing_strength};
@@ -9,26 +9,47 @@ use crate::formula::{Derivation, Formula, Number, Traced};
 use crate::worked::Worked;
 use bracket_joint::assembly::{BaseSection, ColumnBase};
 use bracket_joint::catalog::IProfile;
+use std::ops::Deref;
 
-/// The I section of the column.
-pub(super) fn profile(e: &ColumnBase) -> &IProfile {
-    match &e.section {
-        BaseSection::I(p) => p,
+/// A base whose column has an I section, which the rules of 6.2.8 are for.
+#[derive(Clone, Copy)]
+pub(super) struct IBase<'a> {
+    /// The base.
+    pub base: &'a ColumnBase,
+    /// The section of its column.
+    pub profile: &'a IProfile,
+}
+
+impl<'a> IBase<'a> {
+    /// The base with its section; `None` for a hollow section.
+    pub fn of(base: &'a ColumnBase) -> Option<Self> {
+        match &base.section {
+            BaseSection::I(profile) => Some(Self { base, profile }),
+            BaseSection::Rectangular { .. } | BaseSection::Circular { .. } => None,
+        }
+    }
+}
+
+impl Deref for IBase<'_> {
+    type Target = ColumnBase;
+
+    fn deref(&self) -> &ColumnBase {
+        self.base
     }
 }
 
 /// The column as a cross-section, with the steel at the thickness of its flange.
-pub(super) fn cross_section(e: &ColumnBase) -> CrossSection {
+pub(super) fn cross_section(e: &IBase<'_>) -> CrossSection {
     let fy = e.flange_steel.fy;
-    CrossSection { section: profile(e).into(), fy, gamma_m0: e.factors.gamma_m0 }
+    CrossSection { section: e.profile.into(), fy, gamma_m0: e.factors.gamma_m0 }
 }
 
 /// Distance of the centre of compression under a flange from the axis of the column \[mm\].
 ///
 /// # Source
 /// EN 1993-1-8:2005 6.2.8.1(2), Figure 6.18.
-pub(super) fn z_c(e: &ColumnBase) -> f64 {
-    let p = profile(e);
+pub(super) fn z_c(e: &IBase<'_>) -> f64 {
+    let p = e.profile;
     0.5 * (p.h - p.tf)
 }
 
@@ -54,8 +75,8 @@ impl Bearing {
     }
 
     /// The area on a plate whose edge has this distance from the axis of the column.
-    fn area(&self, e: &ColumnBase, edge: f64) -> IArea {
-        let p = profile(e);
+    fn area(&self, e: &IBase<'_>, edge: f64) -> IArea {
+        let p = e.profile;
         let (width, c) = (e.plate[1], self.c.value);
         IArea { section: [p.h, p.b, p.tw, p.tf], edge, width, c }
     }
@@ -72,11 +93,22 @@ fn named([l, b]: [f64; 2], names: [&'static str; 2]) -> Traced {
 /// EN 1993-1-8:2005 6.2.8.2(1), 6.2.5.
 pub(super) fn whole(e: &ColumnBase) -> Worked {
     let bearing = Bearing::new(e);
-    let area = bearing.area(e, e.to_edge(1.0).min(e.to_edge(-1.0)));
-    let mut a_eff = Traced::from(2.0) * named(area.flange(), ["l_f", "b_f"]);
-    if area.web()[0] > 0.0 {
-        a_eff = a_eff + named(area.web(), ["l_w", "b_w"]);
-    }
+    let edge = e.to_edge(1.0).min(e.to_edge(-1.0));
+    let (plate, c) = ([2.0 * edge, e.plate[1]], bearing.c.value);
+    let a_eff = match &e.section {
+        BaseSection::I(profile) => {
+            let area = bearing.area(&IBase { base: e, profile }, edge);
+            let flanges = Traced::from(2.0) * named(area.flange(), ["l_f", "b_f"]);
+            match area.web() {
+                [length, _] if length > 0.0 => flanges + named(area.web(), ["l_w", "b_w"]),
+                _ => flanges,
+            }
+        }
+        BaseSection::Circular { d, t } => Traced::area("A_ring", circular_hollow(*d, *t, plate, c)),
+        BaseSection::Rectangular { size, t, .. } => {
+            Traced::area("A_frame", rectangular_hollow(*size, *t, plate, c))
+        }
+    };
     let a_eff = Formula::new("A_eff", a_eff, Unit::Area);
     let value = bearing.f_jd.traced() * a_eff.traced();
     let (clause, id) = ("EN 1993-1-8:2005 6.2.8.2, 6.2.5", CheckId::BaseCompression);
@@ -89,7 +121,7 @@ pub(super) fn whole(e: &ColumnBase) -> Worked {
 }
 
 /// Area under the flange on a side \[mm²\].
-pub(super) fn flange_area(e: &ColumnBase, side: f64) -> f64 {
+pub(super) fn flange_area(e: &IBase<'_>, side: f64) -> f64 {
     let [l, b] = Bearing::new(e).area(e, e.to_edge(side)).flange();
     l * b
 }
@@ -102,7 +134,7 @@ pub(super) fn flange_area(e: &ColumnBase, side: f64) -> f64 {
 /// flange and web of the column in compression (6.2.6.7, M_c,Rd/(h − t_f)). The area under the web
 /// is left out, 6.2.8.1(3).
 pub(super) fn under_flange(
-    e: &ColumnBase,
+    e: &IBase<'_>,
     side: f64,
     shear: f64,
 ) -> Result<Worked, Box<CheckError>> {
@@ -110,7 +142,7 @@ pub(super) fn under_flange(
     let area = named(bearing.area(e, e.to_edge(side)).flange(), ["l_eff", "b_eff"]);
     let concrete = Formula::new("F_C,pl,Rd", bearing.f_jd.traced() * area, Unit::Force);
     let moment = cross_section(e).bending_6_2_10(shear, 0.0).map_err(Box::new)?.value;
-    let p = profile(e);
+    let p = e.profile;
     let arm = Traced::length("h", p.h) - Traced::length("t_f", p.tf);
     let column = Traced::symbol("M_c,Rd", moment, Unit::Moment) / arm;
     let column = Formula::new("F_c,fc,Rd", column, Unit::Force);

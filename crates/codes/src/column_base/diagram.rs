@@ -1,6 +1,6 @@
 //! M–N diagram of a base, for the reports. No check needs it.
 
-use super::compression::{under_flange, whole};
+use super::compression::{IBase, under_flange, whole};
 use super::forces::{Force, forces, moment_resistance};
 use super::tension_side::tension_side;
 use crate::end_plate::{Curve, MomentAxial, Point};
@@ -19,6 +19,7 @@ const STEPS: usize = 60;
 /// EN 1993-1-8:2005 Table 6.7. Under N alone 6.2.5 may allow more compression, as the web presses
 /// too.
 pub fn moment_axial(e: &ColumnBase) -> Option<MomentAxial> {
+    let e = &IBase::of(e)?;
     let border = border(e)?;
     let curves = vec![Curve { beta: 0.0, border, resistance: None }];
     let point = |a: &PlaneActions| {
@@ -31,7 +32,7 @@ pub fn moment_axial(e: &ColumnBase) -> Option<MomentAxial> {
 
 /// Corners N, tension positive \[N\], and My \[N mm\]: with tension at positive x by rising N, then
 /// with tension at negative x by falling N.
-fn border(e: &ColumnBase) -> Option<Vec<[f64; 2]>> {
+fn border(e: &IBase<'_>) -> Option<Vec<[f64; 2]>> {
     let both = |axial: f64| {
         let [one, other] = [1.0, -1.0].map(|side| moment_resistance(e, axial, side));
         one.zip(other).filter(|(a, b)| *a >= 0.0 && *b >= 0.0)
@@ -61,7 +62,7 @@ fn border(e: &ColumnBase) -> Option<Vec<[f64; 2]>> {
 }
 
 /// The largest utilisation of the forces under N and My; `None` where the tables have none.
-fn utilisation(e: &ColumnBase, axial: f64, moment: f64) -> Option<f64> {
+fn utilisation(e: &IBase<'_>, axial: f64, moment: f64) -> Option<f64> {
     if moment == 0.0 && axial <= 0.0 {
         return Some(-axial / whole(e).value);
     }
@@ -82,7 +83,8 @@ mod tests {
     /// carries N with one moment alone.
     #[test]
     fn corners_use_a_force_in_full() {
-        let e = base();
+        let base = base();
+        let e = IBase::of(&base).expect("an I section");
         let border = border(&e).expect("a curve");
         assert!(border.len() > POINTS, "{}", border.len());
         // under N alone the web presses too

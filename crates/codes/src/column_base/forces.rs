@@ -4,7 +4,7 @@
 //! M_j,Rd of the table at the constant eccentricity e = M/N is M over the largest utilisation of
 //! these forces: `F_T z/(z_C/e + 1)` is the moment at which `(M + N z_C)/z` reaches F_T.
 
-use super::compression::{under_flange, z_c};
+use super::compression::{IBase, under_flange, z_c};
 use super::tension_side::{TensionSide, tension_side};
 use crate::check::{Unit, within};
 use crate::formula::{Formula, Traced};
@@ -31,7 +31,7 @@ fn length(name: &'static str, value: f64) -> Traced {
 ///
 /// # Source
 /// EN 1993-1-8:2005 6.2.8.3, Table 6.7, all four signs.
-pub(super) fn forces(e: &ColumnBase, axial: f64, moment: f64) -> Result<Forces, &'static str> {
+pub(super) fn forces(e: &IBase<'_>, axial: f64, moment: f64) -> Result<Forces, &'static str> {
     let side = if moment < 0.0 { -1.0 } else { 1.0 };
     let (m, zc) = (moment.abs(), z_c(e));
     let moment = || Traced::symbol("M_Ed", m, Unit::Moment);
@@ -74,6 +74,7 @@ pub(super) fn forces(e: &ColumnBase, axial: f64, moment: f64) -> Result<Forces, 
 /// # Source
 /// EN 1993-1-8:2005 Table 6.7, the forces of which are linear in M.
 pub fn moment_resistance(e: &ColumnBase, axial: f64, side: f64) -> Option<f64> {
+    let e = &IBase::of(e)?;
     let zc = z_c(e);
     let crushed = |side: f64| under_flange(e, side, 0.0).ok().map(|w| w.value);
     let far = crushed(-side)?;

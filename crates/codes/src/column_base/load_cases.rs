@@ -2,8 +2,9 @@
 
 use super::anchorage;
 use super::case_end::at;
-use super::compression::{cross_section, under_flange, whole};
+use super::compression::{IBase, cross_section, under_flange, whole};
 use super::forces::{Force, Forces, forces};
+use super::open_actions::{for_analysis, most_of_anchor, torsion};
 use super::shear;
 use super::stiffness;
 use super::tension_side::of_anchor;
@@ -12,21 +13,23 @@ use crate::check::{Check, CheckId, Status, Topic, Unit, largest};
 use crate::formula::Traced;
 use crate::subject::Part;
 use crate::worked::Worked;
-use bracket_base::say;
-use bracket_joint::assembly::{ColumnBase, PlaneActions};
+use bracket_joint::assembly::PlaneActions;
 
 /// The topic of most of them.
 const TOPIC: Topic = Topic::ComponentMethod;
 /// Clause of the forces of both sides.
 const CLAUSE: &str = "EN 1993-1-8:2005 6.2.8.3";
 
+/// What the checks know.
+const KNOWN: &str = "axial force, shear force along the web and moment about the strong axis";
+
 /// The checks of every load case at the ultimate limit state.
-pub(super) fn checks(e: &ColumnBase) -> Vec<Check> {
+pub(super) fn checks(e: &IBase<'_>) -> Vec<Check> {
     let ultimate = e.actions.iter().filter(|a| a.state.is_ultimate());
     ultimate.flat_map(|a| of_case(e, a).into_iter().map(|c| c.of_case(&a.case))).collect()
 }
 
-fn of_case(e: &ColumnBase, a: &PlaneActions) -> Vec<Check> {
+fn of_case(e: &IBase<'_>, a: &PlaneActions) -> Vec<Check> {
     let [[n, _, v], [_, m, _]] = a.at(1.0);
     let mut out = no_formula(a);
     let mut most = 0.0;
@@ -48,8 +51,7 @@ fn of_case(e: &ColumnBase, a: &PlaneActions) -> Vec<Check> {
                 let (subject, id) = (at(a).and(Part::Anchors), CheckId::BaseTension);
                 let step = "one row of two anchors outside each flange, or a limit analysis";
                 out.push(Check::undecided(TOPIC, subject, CLAUSE, id, why, step).without_method());
-                // how far the anchors are loaded is open
-                most = f64::INFINITY;
+                most = most_of_anchor(e);
             }
         }
     }
@@ -62,7 +64,7 @@ fn of_case(e: &ColumnBase, a: &PlaneActions) -> Vec<Check> {
 }
 
 /// The forces of both sides against their resistances, and M_j,Rd at constant eccentricity.
-fn of_sides(e: &ColumnBase, a: &PlaneActions, forces: &Forces) -> Vec<Check> {
+fn of_sides(e: &IBase<'_>, a: &PlaneActions, forces: &Forces) -> Vec<Check> {
     let [[_, _, v], [_, m, _]] = a.at(1.0);
     let mut out = Vec::new();
     for (side, force) in forces {
@@ -102,7 +104,7 @@ fn of_sides(e: &ColumnBase, a: &PlaneActions, forces: &Forces) -> Vec<Check> {
 }
 
 /// The column's own section under the actions.
-fn column(e: &ColumnBase, a: &PlaneActions, [n, v, m]: [f64; 3]) -> Vec<Check> {
+fn column(e: &IBase<'_>, a: &PlaneActions, [n, v, m]: [f64; 3]) -> Vec<Check> {
     let (section, subject) = (cross_section(e), at(a).and(Part::Column));
     let against = |mut worked: Worked, id: CheckId, demand: f64| {
         worked.id = id;
@@ -130,36 +132,13 @@ fn column(e: &ColumnBase, a: &PlaneActions, [n, v, m]: [f64; 3]) -> Vec<Check> {
 
 /// Actions that these checks do not share out.
 fn no_formula(a: &PlaneActions) -> Vec<Check> {
-    let [[_, vy, _], [torsion, _, mz]] = a.at(1.0);
-    let acting = [
+    let [[_, vy, _], [_, _, mz]] = a.at(1.0);
+    [
         ("Vy", vy, Unit::Force, CheckId::ShearAcross),
         ("Mz", mz, Unit::Moment, CheckId::WeakAxisOfJoint),
-        ("T", torsion, Unit::Moment, CheckId::TorsionOfJoint),
-    ];
-    let check = |(name, value, unit, id): (&'static str, f64, Unit, CheckId)| {
-        let why = say!(
-            "{} = {}: these checks know axial force, shear force along the web and moment about \
-             the strong axis alone",
-            name,
-            unit.show(value)
-        );
-        let subject = at(a).and(Part::Joint);
-        let open = |step: &'static str| {
-            Check::undecided(
-                TOPIC,
-                subject.clone(),
-                "EN 1993-1-8:2005 6.2.8",
-                id,
-                why.clone(),
-                step,
-            )
-        };
-        // in the model a patch holds the plate sideways: how concrete and grout resist torsion is
-        // not in it
-        match id {
-            CheckId::TorsionOfJoint => open("a check of the torsion by hand"),
-            _ => open("a limit analysis of the base").without_method(),
-        }
-    };
-    acting.into_iter().filter(|(_, value, ..)| *value != 0.0).map(check).collect()
+    ]
+    .into_iter()
+    .filter_map(|action| for_analysis(a, action, KNOWN))
+    .chain(torsion(a, KNOWN))
+    .collect()
 }

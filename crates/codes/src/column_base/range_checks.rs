@@ -1,12 +1,12 @@
 //! Concrete and grout, detailing, and what lies outside the range of the rules.
 
-use super::compression::profile;
 use crate::check::{Check, CheckId, Topic};
 use crate::end_plate::{Piece, beyond, not_checked, of_any_joint, unseen_loads};
 use crate::eurocode::concrete::{bearing_strength, grout_fault};
 use crate::eurocode::spacing::{Pattern, pattern_checks};
 use crate::subject::Part;
-use bracket_joint::assembly::ColumnBase;
+use bracket_joint::assembly::{BaseSection, ColumnBase};
+use bracket_joint::strength::Strength;
 
 /// All of them.
 pub(super) fn checks(e: &ColumnBase) -> Vec<Check> {
@@ -29,25 +29,36 @@ pub(super) fn checks(e: &ColumnBase) -> Vec<Check> {
     ];
     let distances = pattern_checks(Part::BasePlate, &pattern(e));
     out.extend(distances.into_iter().filter(|c| !exposed.contains(&c.id())));
-    let p = profile(e);
     let piece = |part, thickness, steel| Piece { part, thickness, steel, welded: true };
-    let parts = [
-        piece(Part::BasePlate, e.thickness, &e.plate_steel),
-        piece(Part::ColumnFlange, p.tf, &e.flange_steel),
-        piece(Part::ColumnWeb, p.tw, &e.web_steel),
-    ];
+    let of_column = column(e);
+    let plate = piece(Part::BasePlate, e.thickness, &e.plate_steel);
+    let pieces = of_column.iter().map(|(part, t, steel, _)| piece(*part, *t, steel));
+    let parts: Vec<Piece<'_>> = std::iter::once(plate).chain(pieces).collect();
     // the holes count where the anchors bear in them
     let hole = if e.shear.anchors { e.hole } else { e.bolt.d };
     out.extend(beyond(&parts, &e.bolt, &e.grade, hole));
-    let welds = [
-        (Part::ColumnFlange, e.flange_throat, e.thickness.max(p.tf)),
-        (Part::ColumnWeb, e.web_throat, e.thickness.max(p.tw)),
-    ];
-    let welds: Vec<_> = welds.into_iter().filter(|(_, throat, _)| *throat > 0.0).collect();
+    let seam = |(part, t, _, throat): &Walls<'_>| (*part, *throat, e.thickness.max(*t));
+    let welds: Vec<_> = of_column.iter().map(seam).filter(|(_, a, _)| *a > 0.0).collect();
     out.extend(of_any_joint(e.annex.as_deref(), e.fy_source, &e.grade, &welds));
     out.extend(unseen_loads(&e.unseen));
     out.extend(not_checked(&e.not_checked));
     out
+}
+
+/// Walls of the column: thickness, steel and throat of their welds.
+type Walls<'a> = (Part, f64, &'a Strength, f64);
+
+/// The walls of the column.
+fn column(e: &ColumnBase) -> Vec<Walls<'_>> {
+    match &e.section {
+        BaseSection::I(p) => vec![
+            (Part::ColumnFlange, p.tf, &e.flange_steel, e.flange_throat),
+            (Part::ColumnWeb, p.tw, &e.web_steel, e.web_throat),
+        ],
+        BaseSection::Rectangular { t, .. } | BaseSection::Circular { t, .. } => {
+            vec![(Part::ColumnWall, *t, &e.flange_steel, e.flange_throat)]
+        }
+    }
 }
 
 /// Distances of the anchors in the plate.

@@ -1,7 +1,7 @@
 //! Initial stiffness of a base with one side in tension and one in compression.
 
 use super::case_end::at;
-use super::compression::{flange_area, profile, z_c};
+use super::compression::{IBase, flange_area, z_c};
 use super::forces::{Force, Forces};
 use crate::check::{Check, CheckId, Topic, Unit};
 use crate::component_method::t_stub::Prying;
@@ -9,14 +9,14 @@ use crate::eurocode::concrete::e_cm;
 use crate::formula::{Formula, Number, Traced};
 use crate::subject::Part;
 use crate::worked::Worked;
-use bracket_joint::assembly::{ColumnBase, PlaneActions};
+use bracket_joint::assembly::PlaneActions;
 
 /// S_j,ini under the moment of a case, and the length of the column from which it is rigid.
 ///
 /// # Source
 /// EN 1993-1-8:2005 Tables 6.11 and 6.12, μ = 1; 5.2.2.5(2): S_j,ini ≥ 30 E I_c/L_c. The milder
 /// limits of frames held by bracing need the slenderness of the column.
-pub(super) fn checks(e: &ColumnBase, a: &PlaneActions, forces: &Forces) -> Vec<Check> {
+pub(super) fn checks(e: &IBase<'_>, a: &PlaneActions, forces: &Forces) -> Vec<Check> {
     let [(_, Force::Tension(row, _)), (pressed, Force::Compression(_))] = &forces[..] else {
         return Vec::new();
     };
@@ -58,7 +58,7 @@ pub(super) fn checks(e: &ColumnBase, a: &PlaneActions, forces: &Forces) -> Vec<C
     let lines = [e_c, k13, k15, k16, k_t, e_k];
     let before = lines.into_iter().fold(crate::formula::Derivation::default(), |d, f| d.then(f));
     let stiffness = Worked::of(clause, id, "S_j,ini", value, Unit::Rotational).after(before);
-    let inertia = Traced::number("I_c", 1e4 * profile(e).i_y);
+    let inertia = Traced::number("I_c", 1e4 * e.profile.i_y);
     let rigid = num(30.0) * modulus() * inertia / stiffness.traced();
     let (clause, id) = ("EN 1993-1-8:2005 5.2.2.5(2)", CheckId::BaseRigidLength);
     let rigid = Worked::of(clause, id, "L_c", rigid, Unit::Length);

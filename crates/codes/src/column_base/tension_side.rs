@@ -1,13 +1,12 @@
 //! The tension side of a base: one row of anchors outside a flange, as a T-stub of the plate.
 
-use super::compression::profile;
+use super::compression::IBase;
 use crate::check::{CheckId, Unit, within};
 use crate::component_method::effective_lengths::outside_flange;
 use crate::component_method::t_stub::{Prying, Resistance, TStub, prying};
 use crate::eurocode::bolts::tension_resistance;
 use crate::formula::{Formula, Line, Number, Relation, Traced};
 use crate::worked::Worked;
-use bracket_joint::assembly::ColumnBase;
 
 /// Share of a fillet weld that counts against m, EN 1993-1-8:2005 6.2.4.1, Figure 6.2.
 const OF_WELD: f64 = 0.8;
@@ -37,8 +36,8 @@ pub(super) struct TensionSide {
 /// # Source
 /// EN 1993-1-8:2005 6.2.8.3(2), 6.2.6.11, 6.2.6.12: Table 6.6, row outside the flange; Table 6.2
 /// with L_b* for prying. Rows between the flanges are not counted.
-pub(super) fn tension_side(e: &ColumnBase, side: f64) -> Result<TensionSide, &'static str> {
-    let p = profile(e);
+pub(super) fn tension_side(e: &IBase<'_>, side: f64) -> Result<TensionSide, &'static str> {
+    let p = e.profile;
     let face = 0.5 * p.h;
     let outside: Vec<f64> = e.rows.iter().map(|x| side * x).filter(|x| *x > face).collect();
     let x = match outside[..] {
@@ -80,7 +79,7 @@ pub(super) fn tension_side(e: &ColumnBase, side: f64) -> Result<TensionSide, &'s
 }
 
 /// L_b beside L_b*, the T-stub, the flange of the column, and the smaller of these.
-fn least(e: &ColumnBase, stub: &Resistance, pries: Prying, [m, length]: [f64; 2]) -> Worked {
+fn least(e: &IBase<'_>, stub: &Resistance, pries: Prying, [m, length]: [f64; 2]) -> Worked {
     let n = Traced::from;
     let limit = n(8.8) * Traced::length("m", m).powi(3) * Traced::area("A_s", e.bolt.stress_area)
         / (Traced::length("ℓ_eff,1", length) * Traced::length("t", e.thickness).powi(3));
@@ -89,7 +88,7 @@ fn least(e: &ColumnBase, stub: &Resistance, pries: Prying, [m, length]: [f64; 2]
         Prying::Absent => Relation::Above,
     };
     let long = Line::comparison("L_b", e.elastic_length, relation, limit, Unit::Length);
-    let p = profile(e);
+    let p = e.profile;
     let flange = Traced::length("b", p.b)
         * Traced::length("t_f", p.tf)
         * Traced::stress("f_y", e.flange_steel.fy.mpa())

@@ -1,14 +1,14 @@
 //! Fillet welds of the column on its plate, under an elastic distribution of N and M.
 
 use super::case_end::at;
-use super::compression::profile;
+use super::compression::IBase;
 use crate::check::{Check, Status, Topic, Unit};
 use crate::end_plate::without_strength;
 use crate::eurocode::i_section::Section;
 use crate::eurocode::welds::{PairForce, WeldedSteel, directional_pair, effective_run, least_size};
 use crate::formula::{Formula, Traced};
 use crate::subject::{Part, Place};
-use bracket_joint::assembly::{ColumnBase, PlaneActions};
+use bracket_joint::assembly::PlaneActions;
 use bracket_joint::strength::Strength;
 
 /// A pair of welds on both sides of a flange or of the web.
@@ -23,8 +23,8 @@ struct Pair<'a> {
 }
 
 /// The pairs with fillets: flange, web.
-fn pairs(e: &ColumnBase) -> Vec<Pair<'_>> {
-    let p = profile(e);
+fn pairs<'a>(e: &'a IBase<'_>) -> Vec<Pair<'a>> {
+    let p = e.profile;
     let s = Section::from(p);
     let flange = Pair {
         part: Part::ColumnFlange,
@@ -45,7 +45,7 @@ fn pairs(e: &ColumnBase) -> Vec<Pair<'_>> {
 }
 
 /// Least sizes, and steels that give their welds no strength.
-pub(super) fn sizes(e: &ColumnBase) -> Vec<Check> {
+pub(super) fn sizes(e: &IBase<'_>) -> Vec<Check> {
     let mut out = Vec::new();
     for w in pairs(e) {
         let run = effective_run(e.ends, w.length, w.throat);
@@ -63,9 +63,9 @@ pub(super) fn sizes(e: &ColumnBase) -> Vec<Check> {
 /// # Source
 /// EN 1993-1-8:2005 4.5.3.2(6), 2.5(1). Compression counts like tension: contact of the column with
 /// the plate is not asked for.
-pub(super) fn under_load(e: &ColumnBase, a: &PlaneActions) -> Vec<Check> {
+pub(super) fn under_load(e: &IBase<'_>, a: &PlaneActions) -> Vec<Check> {
     let [[n, _, v], [_, m, _]] = a.at(1.0);
-    let p = profile(e);
+    let p = e.profile;
     let s = Section::from(p);
     let mut out = Vec::new();
     for w in pairs(e) {

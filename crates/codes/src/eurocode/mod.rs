@@ -10,6 +10,7 @@ pub mod column_curve;
 pub mod concrete;
 pub mod grip;
 pub mod holes;
+pub mod hollow;
 pub mod i_section;
 pub mod interaction;
 pub mod net_section;

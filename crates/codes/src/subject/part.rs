@@ -66,6 +66,8 @@ pub enum Part {
     UpperFlange,
     /// The lower flange of a spliced member.
     LowerFlange,
+    /// The wall of a hollow column.
+    ColumnWall,
     /// The flange of a column at positive x.
     FlangeAtPlus,
     /// The flange of a column at negative x.
@@ -138,6 +140,7 @@ impl Part {
             Part::RightMember => "right member",
             Part::UpperFlange => "upper flange",
             Part::LowerFlange => "lower flange",
+            Part::ColumnWall => "column wall",
             Part::FlangeAtPlus => "flange at positive x",
             Part::FlangeAtMinus => "flange at negative x",
             Part::SplicedFlange => "flange",

@@ -14,6 +14,7 @@ use super::family_values::Values;
 use super::foundation::Foundation;
 use super::member_ends::Frame;
 use super::template::ColumnBaseEntry;
+use crate::catalog::{Section, Shape};
 use crate::spec::expr::Expr;
 
 /// Depth in the concrete over which an anchor stretches, in diameters. Source: EN 1993-1-8:2005
@@ -33,7 +34,11 @@ pub(super) fn column_base(
         return Err(values.wrong("ends", format!("{} member ends; give one", frames.len())));
     };
     let role = std::slice::from_ref(&entry.column);
-    let section = values.profile("column", &entry.column)?;
+    let section = section(&values, &entry.column)?;
+    let [flange, web] = match &section {
+        BaseSection::I(p) => [p.tf, p.tw],
+        BaseSection::Rectangular { t, .. } | BaseSection::Circular { t, .. } => [*t; 2],
+    };
     let (bolt, grade) = values.bolts("anchors")?;
     let foundation = foundation(&values, assembly)?;
     let thickness = values.positive("thickness", &entry.thickness)?;
@@ -50,9 +55,9 @@ pub(super) fn column_base(
         }
     };
     Ok(ColumnBase {
-        flange_steel: values.steel(role, section.tf)?,
-        web_steel: values.steel(role, section.tw)?,
-        section: BaseSection::I(section),
+        flange_steel: values.steel(role, flange)?,
+        web_steel: values.steel(role, web)?,
+        section,
         thickness,
         plate_steel: values.steel(&entry.steel, thickness)?,
         plate,
@@ -80,6 +85,23 @@ pub(super) fn column_base(
         bolt,
         grade,
     })
+}
+
+/// The section of the column.
+fn section(values: &Values<'_, '_>, role: &str) -> Result<BaseSection, AssemblyError> {
+    match values.section("column", role)? {
+        Section::I(p) => Ok(BaseSection::I(Box::new(p.clone()))),
+        Section::Shaped(p) => match p.shape {
+            Shape::Rhs { h, b, t, outer, inner } => {
+                Ok(BaseSection::Rectangular { size: [h, b], t, radii: [outer, inner] })
+            }
+            Shape::Chs { d, t } => Ok(BaseSection::Circular { d, t }),
+            Shape::Angle { .. } | Shape::Channel { .. } => Err(values.wrong(
+                "column",
+                format!("{} is {}: no check knows its base", p.name, p.kind().words()),
+            )),
+        },
+    }
 }
 
 /// The concrete of the first support that has some.
@@ -121,11 +143,15 @@ pub(super) fn expected(e: &ColumnBase, entry: &ColumnBaseEntry, frame: &Frame) -
     };
     let places = e.rows.iter().flat_map(|x| e.across.iter().map(|y| (*x, *y)));
     let start = at(0.0, 0.0, e.thickness)[a];
-    let flanges = Flanges { depth: d, web: start, starts: [(1.0, start), (-1.0, start)] };
+    let flanges = matches!(e.section, BaseSection::I(_)).then(|| Flanges {
+        depth: d,
+        web: start,
+        starts: [(1.0, start), (-1.0, start)],
+    });
     Expected {
         bolts: places.map(bolt).collect(),
         plates: vec![plate],
-        members: vec![ExpectedMember { role: entry.column.clone(), flanges: Some(flanges) }],
+        members: vec![ExpectedMember { role: entry.column.clone(), flanges }],
         throats: vec![e.flange_throat, e.web_throat],
     }
 }

@@ -11,21 +11,28 @@ use crate::spec::welds::WeldEnds;
 use crate::strength::Strength;
 use serde::Serialize;
 
-/// The section of a column.
+/// The section of a column. Lengths in mm.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum BaseSection {
     /// A rolled I or H section, its depth along x.
-    I(IProfile),
-}
-
-impl BaseSection {
-    /// Depth along x \[mm\].
-    pub fn depth(&self) -> f64 {
-        match self {
-            BaseSection::I(p) => p.h,
-        }
-    }
+    I(Box<IProfile>),
+    /// A rectangular hollow section, its depth along x.
+    Rectangular {
+        /// Depth and width.
+        size: [f64; 2],
+        /// Thickness of the wall.
+        t: f64,
+        /// Outer and inner radius of the corners.
+        radii: [f64; 2],
+    },
+    /// A circular hollow section.
+    Circular {
+        /// Diameter.
+        d: f64,
+        /// Thickness of the wall.
+        t: f64,
+    },
 }
 
 /// What carries the shear force beside friction.

@@ -2,7 +2,7 @@
 
 use super::builder::Context;
 use super::error::AssemblyError;
-use crate::catalog::{BoltGrade, BoltSize, IProfile};
+use crate::catalog::{BoltGrade, BoltSize, IProfile, Section};
 use crate::spec::expr::{Expr, ExprError};
 use crate::strength::Strength;
 
@@ -70,6 +70,12 @@ impl Values<'_, '_> {
     pub fn profile(&self, key: &str, role: &str) -> Result<IProfile, AssemblyError> {
         let found = self.0.inputs.profile(role);
         found.cloned().ok_or_else(|| self.wrong(key, format!("there is no member `{role}`")))
+    }
+
+    /// The section of a role.
+    pub fn section(&self, key: &str, role: &str) -> Result<Section<'_>, AssemblyError> {
+        let found = self.0.inputs.section(role);
+        found.ok_or_else(|| self.wrong(key, format!("there is no member `{role}`")))
     }
 
     /// The steel of the first role that the spec gives, at a thickness \[mm\].

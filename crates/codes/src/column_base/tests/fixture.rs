@@ -39,7 +39,7 @@ pub(super) fn actions([n, vz, my]: [f64; 3]) -> PlaneActions {
 pub(in crate::column_base) fn base() -> ColumnBase {
     let plate = [340.0, 340.0];
     ColumnBase {
-        section: BaseSection::I(CATALOG.profile("HE200B").expect("a profile").clone()),
+        section: BaseSection::I(Box::new(CATALOG.profile("HE200B").expect("a profile").clone())),
         flange_steel: s235(),
         web_steel: s235(),
         thickness: 18.0,
