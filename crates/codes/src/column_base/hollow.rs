@@ -1,10 +1,10 @@
 //! Checks of a base whose column is a hollow section: compression on the effective area, shear,
 //! welds and the section itself. For moments and tension 6.2.8 has no rules of hollow sections.
 
-use super::anchorage;
+use super::anchorage::{self, Pull};
 use super::case_end::at;
 use super::compression::whole;
-use super::open_actions::{for_analysis, most_of_anchor, torsion};
+use super::open_actions::{for_analysis, torsion};
 use super::shear;
 use crate::check::{Check, CheckId, Status, Topic, Unit};
 use crate::end_plate::without_strength;
@@ -50,9 +50,9 @@ fn of_case(e: &ColumnBase, h: &Hollow, a: &PlaneActions) -> Vec<Check> {
         let check = whole(e).against(Topic::ComponentMethod, subject, -n, Status::Failed);
         out.push(check.of_strength());
     }
-    let most = if pressed { 0.0 } else { most_of_anchor(e) };
-    out.extend(shear::checks(e, a, most));
-    out.extend(anchorage::check(e, a, [most, shear::of_anchor(e, a)]));
+    let pull = if pressed { Pull::Known(0.0) } else { Pull::unknown(e) };
+    out.extend(shear::checks(e, a, pull.most()));
+    out.extend(anchorage::check(e, a, pull, shear::of_anchor(e, a)));
     out.extend(weld(e, h, a));
     out.extend(column(e, h, a));
     out

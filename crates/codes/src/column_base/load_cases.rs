@@ -1,10 +1,10 @@
 //! Checks of every load case with actions on the base.
 
-use super::anchorage;
+use super::anchorage::{self, Pull};
 use super::case_end::at;
 use super::compression::{IBase, cross_section, under_flange, whole};
 use super::forces::{Force, Forces, forces};
-use super::open_actions::{for_analysis, most_of_anchor, torsion};
+use super::open_actions::{for_analysis, torsion};
 use super::shear;
 use super::stiffness;
 use super::tension_side::of_anchor;
@@ -32,7 +32,7 @@ pub(super) fn checks(e: &IBase<'_>) -> Vec<Check> {
 fn of_case(e: &IBase<'_>, a: &PlaneActions) -> Vec<Check> {
     let [[n, _, v], [_, m, _]] = a.at(1.0);
     let mut out = no_formula(a);
-    let mut most = 0.0;
+    let mut pull = Pull::Known(0.0);
     if n < 0.0 && m == 0.0 {
         let subject = at(a).and(Part::BasePlate);
         out.push(whole(e).against(TOPIC, subject, -n, Status::Failed).of_strength());
@@ -45,19 +45,19 @@ fn of_case(e: &IBase<'_>, a: &PlaneActions) -> Vec<Check> {
                     Force::Tension(row, force) => Some(of_anchor(row, force.value)),
                     Force::Compression(_) => None,
                 });
-                most = pulls.fold(0.0, f64::max);
+                pull = Pull::Known(pulls.fold(0.0, f64::max));
             }
             Err(why) => {
                 let (subject, id) = (at(a).and(Part::Anchors), CheckId::BaseTension);
                 let step = "one row of two anchors outside each flange, or a limit analysis";
                 out.push(Check::undecided(TOPIC, subject, CLAUSE, id, why, step).without_method());
-                most = most_of_anchor(e);
+                pull = Pull::unknown(e);
             }
         }
     }
     let sheared = shear::of_anchor(e, a);
-    out.extend(shear::checks(e, a, most));
-    out.extend(anchorage::check(e, a, [most, sheared]));
+    out.extend(shear::checks(e, a, pull.most()));
+    out.extend(anchorage::check(e, a, pull, sheared));
     out.extend(weld_checks::under_load(e, a));
     out.extend(column(e, a, [n, v, m]));
     out

@@ -1,13 +1,11 @@
-//! Actions that the checks of a base have no method for, and the most that anchors can bring into
-//! the concrete where their forces are not known.
+//! Actions that the checks of a base have no method for.
 
 use super::case_end::at;
 use crate::check::{Check, CheckId, Topic, Unit};
-use crate::eurocode::bolts::tension_resistance;
 use crate::subject::Part;
 use bracket_base::say;
 use bracket_base::words::Text;
-use bracket_joint::assembly::{ColumnBase, PlaneActions};
+use bracket_joint::assembly::PlaneActions;
 
 /// An action: name, value, unit and the check that stays open.
 pub(super) type Action = (&'static str, f64, Unit, CheckId);
@@ -36,10 +34,4 @@ fn open(
     let (subject, clause) = (at(a).and(Part::Joint), "EN 1993-1-8:2005 6.2.8");
     let check = Check::undecided(Topic::ComponentMethod, subject, clause, id, why, step);
     (value != 0.0).then_some(check)
-}
-
-/// Tension of an anchor where nothing tells it: its own resistance, which limit analysis does not
-/// exceed \[N\].
-pub(super) fn most_of_anchor(e: &ColumnBase) -> f64 {
-    tension_resistance(&e.bolt, &e.grade, e.factors.gamma_m2).value
 }

@@ -156,7 +156,7 @@ pub(super) fn checks(e: &ColumnBase, a: &PlaneActions, tension: f64) -> Vec<Chec
     let worked = Worked::of(CLAUSE, id, "F_v,Rd", all, Unit::Force);
     let before = one.derivation.clone().then(by_friction);
     let mut out = vec![worked.after(before).against(topic, subject, v, Status::Failed)];
-    if tension > 0.0 && tension.is_finite() {
+    if tension > 0.0 {
         let [f_t, f_v] = [("F_t,Ed", tension), ("F_v,Ed", of_anchor(e, a))]
             .map(|(symbol, value)| Traced::force(symbol, value));
         let pull = tension_resistance(&e.bolt, &e.grade, e.factors.gamma_m2);
