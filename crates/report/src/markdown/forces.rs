@@ -8,6 +8,19 @@ use crate::result::result_file::CaseResult;
 use bracket_base::say;
 use bracket_engine::model::AnalysisKind;
 
+/// Headings of the coordinates of bolts.
+const PLACE: [&str; 3] = ["x [mm]", "y [mm]", "z [mm]"];
+
+/// The axes that tell bolts apart: those across the axis that all of them have, else all.
+fn across(bolts: &[BoltForce]) -> Vec<usize> {
+    let axes = || bolts.iter().filter_map(|b| b.place.as_ref()).map(|p| p.axis);
+    let along = |k: &usize| axes().all(|a| a[*k].abs() > 0.999);
+    match (0..3).find(along) {
+        Some(k) => (0..3).filter(|i| *i != k).collect(),
+        None => vec![0, 1, 2],
+    }
+}
+
 /// Tables of bolts and of contacts.
 pub(crate) fn tables(doc: &mut Doc, case: &CaseResult, symmetry: u32) {
     let Some(s) = case.static_forces.as_ref().filter(|s| !s.bolts.is_empty()) else { return };
@@ -28,10 +41,17 @@ pub(crate) fn tables(doc: &mut Doc, case: &CaseResult, symmetry: u32) {
     let at = |b: &BoltForce, axis: usize| {
         b.place.as_ref().map_or_else(String::new, |p| format!("{:.1}", p.position[axis]))
     };
-    let row =
-        |b: &BoltForce| cells![b.bolt.clone(), at(b, 1), at(b, 2), kn(b.tension), kn(b.shear)];
+    let across = across(&s.bolts);
+    let row = |b: &BoltForce| {
+        let mut row = cells![b.bolt.clone()];
+        row.extend(across.iter().map(|k| at(b, *k).into()));
+        row.extend(cells![kn(b.tension), kn(b.shear)]);
+        row
+    };
     let rows = s.bolts.iter().map(row).collect();
-    let columns = Table::columns(["bolt", "y [mm]", "z [mm]", "tension [kN]", "shear [kN]"]);
+    let mut columns = Table::columns(["bolt"]);
+    columns.extend(across.iter().flat_map(|k| Table::columns([PLACE[*k]])));
+    columns.extend(Table::columns(["tension [kN]", "shear [kN]"]));
     doc.table(&Table { columns, rows });
     if s.contacts.is_empty() {
         return;
