@@ -1,4 +1,5 @@
 pub(super) mod fixture;
 mod properties;
 mod published;
+mod rules;
 mod second;

@@ -8,10 +8,10 @@ use crate::column_base::moment_resistance;
 use crate::column_base::tension_side::tension_side;
 
 /// A sequence of numbers from 0 to 1.
-struct Numbers(u64);
+pub(super) struct Numbers(pub u64);
 
 impl Numbers {
-    fn within(&mut self, low: f64, high: f64) -> f64 {
+    pub fn within(&mut self, low: f64, high: f64) -> f64 {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963);
         low + (high - low) * ((self.0 >> 11) as f64 / (1u64 << 53) as f64)
     }
