@@ -163,7 +163,7 @@ fn every_rule_a_second_time() {
             let share = matches!(what, "weld" | "V and N");
             let got = check.and_then(|c| if share { c.utilisation } else { c.resistance });
             let got = got.unwrap_or_else(|| panic!("{what}: {check:#?}"));
-            assert!((got / want - 1.0).abs() < 2e-4, "{i} {what}: {got}, not {want}: {e:#?}");
+            assert!((got / want - 1.0).abs() < 1e-9, "{i} {what}: {got}, not {want}: {e:#?}");
         };
         let side = m.signum();
         let z_c = (section(&e).h - section(&e).tf) / 2.0;
