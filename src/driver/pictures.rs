@@ -4,17 +4,19 @@ use crate::driver::passes::Kept;
 use bracket_base::diag::{Diagnostic, Diagnostics};
 use bracket_base::math::vec3::{self, V3};
 use bracket_base::say;
+use bracket_base::words::Text;
 use bracket_engine::analysis::dispatch::AnalysisPass;
 use bracket_engine::certify::fields::StressField;
 use bracket_engine::model::AnalysisModel;
 use bracket_report::document::picture::PictureRef;
 use bracket_report::draw::Picture;
-use bracket_report::draw::contact_map::contact_map;
+use bracket_report::draw::contact_map::{contact_map, ground_map};
 use bracket_report::draw::enlarged::enlargement;
 use bracket_report::draw::plot::{Plot, Series};
 use bracket_report::draw::raster::{
     Colours, Deformed, Field, PictureOptions, completed, draw, draw_surface,
 };
+use bracket_report::draw::svg::Svg;
 use bracket_report::figures::{self, Rounding};
 use bracket_report::result::file_names::file_stem;
 use bracket_report::result::folder::ResultFolder;
@@ -57,17 +59,24 @@ pub fn mesh_pictures(
 }
 
 /// The contact pressures of a stress field that carries `factor` times the load, one picture for
-/// each pair of parts.
+/// each pair of parts and one of ground that crushes.
 pub fn contact_pictures(
     model: &AnalysisModel,
     (stress, factor): (&StressField, f64),
-    forces: &StaticForces,
+    forces: Option<&StaticForces>,
     mirror: &[usize],
     (name, stem): (&str, &str),
     folder: &ResultFolder,
 ) -> Result<Vec<PictureRef>, Diagnostics> {
     let mut out = Vec::new();
-    for pair in &forces.contacts {
+    let shown = figures::significant(factor, 4, Rounding::Down);
+    let mut add = |map: Svg, file: String, caption: Text| -> Result<(), Diagnostics> {
+        let (picture, text) = map.picture(file, caption);
+        folder.write(&picture.file, text.as_bytes())?;
+        out.push(picture);
+        Ok(())
+    };
+    for pair in forces.iter().flat_map(|f| &f.contacts) {
         let Some(map) = contact_map(model, stress, pair, mirror) else { continue };
         let file = format!("contact_{stem}_{}.svg", file_stem(&pair.between.join("_")));
         let [a, b] = &pair.between;
@@ -76,11 +85,17 @@ pub fn contact_pictures(
             name.to_owned(),
             a,
             b,
-            figures::significant(factor, 4, Rounding::Down)
+            shown.clone()
         );
-        let (picture, text) = map.picture(file, caption);
-        folder.write(&picture.file, text.as_bytes())?;
-        out.push(picture);
+        add(map, file, caption)?;
+    }
+    if let Some(map) = ground_map(model, stress, mirror) {
+        let caption = say!(
+            "Case {}: pressure on the ground at load factor {}, means of the faces",
+            name.to_owned(),
+            shown
+        );
+        add(map, format!("ground_{stem}.svg"), caption)?;
     }
     Ok(out)
 }

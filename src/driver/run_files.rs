@@ -97,11 +97,10 @@ impl RunSink for RunFiles<'_> {
         let best = adapted.lower.as_ref().unwrap_or(upper);
         let stress = lower_stress(&best.outcome, entry);
         let (names, mirror) = ((entry.name.as_str(), stem), setup.mirror.as_slice());
-        let maps = match (stress, &entry.static_forces) {
-            (Some(stress), Some(forces)) => {
-                contact_pictures(&best.model, stress, forces, mirror, names, folder)?
-            }
-            _ => Vec::new(),
+        let forces = entry.static_forces.as_ref();
+        let maps = match stress {
+            Some(stress) => contact_pictures(&best.model, stress, forces, mirror, names, folder)?,
+            None => Vec::new(),
         };
         let strains = entry.evidence.as_ref().and_then(|_| strains_of(upper, setup));
         write_route(&upper.model, (strains.as_deref(), modes), (entry, stem), folder)?;
