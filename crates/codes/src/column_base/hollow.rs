@@ -72,8 +72,8 @@ pub(super) fn weld_size(e: &ColumnBase, h: &Hollow) -> Vec<Check> {
 }
 
 /// The fillet weld round the column, at its most stressed point: the elastic stresses of the wall
-/// under N and both moments, and the shear of both directions on the two walls, or on the ring, that
-/// lie along it.
+/// under N and both moments, and the shear of both directions on the two walls, or on the ring,
+/// that lie along it.
 ///
 /// # Source
 /// EN 1993-1-8:2005 4.5.3.1(1), 2.5(1). Compression counts like tension.

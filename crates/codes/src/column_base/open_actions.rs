@@ -16,8 +16,8 @@ pub(super) fn for_analysis(a: &PlaneActions, action: Action, known: &'static str
     open(a, action, known, "a limit analysis of the base").map(Check::without_method)
 }
 
-/// The open check of a torsion. In the model the edges of the plate carry it: how concrete and grout
-/// resist it is not in it.
+/// The open check of a torsion. In the model the edges of the plate carry it: how concrete and
+/// grout resist it is not in it.
 pub(super) fn torsion(a: &PlaneActions, known: &'static str) -> Option<Check> {
     let value = a.at(1.0)[1][0];
     let action = ("T", value, Unit::Moment, CheckId::TorsionOfJoint);

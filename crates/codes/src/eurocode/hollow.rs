@@ -123,8 +123,8 @@ impl Hollow {
         (slenderness, class)
     }
 
-    /// Utilisation under N, My, Mz beside Vy, Vz by the linear sum of the elastic resistances; class
-    /// 4 is refused.
+    /// Utilisation under N, My, Mz beside Vy, Vz by the linear sum of the elastic resistances;
+    /// class 4 is refused.
     ///
     /// Shear above half of V_pl,Rd reduces the yield strength of the whole section.
     ///

@@ -83,8 +83,8 @@ impl Edges {
     ///
     /// Of the force, it is even along each edge and linear over the height h, `f(z) = 1 − 12 e (z −
     /// z_m)/h²` with e the height of the middle z_m above the plane of the resultant, so that
-    /// ∫ f dz = h and ∫ f (z − level) dz = 0. Of the torsion it is `k (−y, x)` from the middle, with
-    /// k the torsion over the polar moment of the edges.
+    /// ∫ f dz = h and ∫ f (z − level) dz = 0. Of the torsion it is `k (−y, x)` from the middle,
+    /// with k the torsion over the polar moment of the edges.
     fn action(&self, force: V3, torsion: f64) -> Action {
         let [a, b, h] = self.block.map(|[low, high]| high - low);
         let [cx, cy, _] = self.centre();
