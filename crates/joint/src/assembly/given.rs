@@ -9,6 +9,10 @@ use bracket_base::diag::did_you_mean;
 use bracket_base::units::{self, Length};
 use std::collections::BTreeMap;
 
+/// Parameters that a spec holds beside `parameters`.
+const BESIDE: [&str; 5] =
+    ["bolts.gauge", "bolts.rows", "plate.thickness", "plate.width", "plate.z"];
+
 /// The values that the spec gives for the template's parameters, by name.
 pub(super) fn given(
     spec: &ConnectionSpec,
@@ -17,6 +21,17 @@ pub(super) fn given(
 ) -> BTreeMap<String, Given> {
     let one = |l: Length| Given::One(Value::length(l.0));
     let many = |l: &[Length]| Given::Many(l.iter().map(|x| x.0).collect());
+    for p in template.parameters.iter().filter(|p| p.name.contains('.')) {
+        if !BESIDE.contains(&p.name.as_str()) {
+            let problem = format!(
+                "a spec has no `{}`: with a point there are {}; give the parameter a name without \
+                 one",
+                p.name,
+                BESIDE.join(", ")
+            );
+            faults.push(AssemblyError::TemplateEntry { at: p.name.clone(), problem });
+        }
+    }
     let mut out = BTreeMap::new();
     if let Some(p) = &spec.plate {
         out.extend(p.thickness.map(|v| ("plate.thickness".to_owned(), one(v))));

@@ -428,11 +428,13 @@ loads: [{name: PULL, section: end, traction: [100 MPa, 0 MPa, 0 MPa]}]
         (min[2] - (-12.0 - 18.0)).abs() < 1e-9 && (max[2] - (12.0 + 12.5)).abs() < 1e-9,
         "{min:?} {max:?}"
     );
-    for (wrong, told) in [
-        ("outward: 2", "`outward` is 2, not 1 or -1"),
-        ("outward: 0", "`outward` is 0, not 1 or -1"),
+    for (right, wrong, told) in [
+        ("outward: 1", "outward: 2", "`outward` is 2, not 1 or -1"),
+        ("outward: 1", "outward: 0", "`outward` is 0, not 1 or -1"),
+        ("{name: thickness,", "{name: plate.length,", "a spec has no `plate.length`"),
     ] {
-        std::fs::write(folder.path().join("lap.yaml"), template.replace("outward: 1", wrong))
+        assert!(template.contains(right), "{right}");
+        std::fs::write(folder.path().join("lap.yaml"), template.replace(right, wrong))
             .expect("writable");
         let e = build(&spec, folder.path(), &catalog, code()).expect_err(wrong);
         assert!(format!("{e:?}").contains(told), "{e:?}");
