@@ -1,6 +1,6 @@
 //! Resistance of a base to compression: on its whole effective area, and under one flange.
 
-use super::effective_area::{IArea, circular_hollow, rectangular_hollow};
+use super::effective_area::{IArea, frame, ring};
 use crate::check::{CheckId, Unit};
 use crate::error::CheckError;
 use crate::eurocode::concrete::{additional_width, bearing_strength};
@@ -9,6 +9,7 @@ use crate::formula::{Derivation, Formula, Number, Traced};
 use crate::worked::Worked;
 use bracket_joint::assembly::{BaseSection, ColumnBase};
 use bracket_joint::catalog::IProfile;
+use std::f64::consts::PI;
 use std::ops::Deref;
 
 /// A base whose column has an I section, which the rules of 6.2.8 are for.
@@ -104,9 +105,15 @@ pub(super) fn whole(e: &ColumnBase) -> Worked {
                 _ => flanges,
             }
         }
-        BaseSection::Circular { d, t } => Traced::area("A_ring", circular_hollow(*d, *t, plate, c)),
+        BaseSection::Circular { d, t } => {
+            let [outer, inner] = ring(*d, *t, plate, c);
+            let square = |name, d| Traced::length(name, d).powi(2);
+            Traced::number("π", PI) * (square("d_o", outer) - square("d_i", inner))
+                / Traced::from(4.0)
+        }
         BaseSection::Rectangular { size, t, .. } => {
-            Traced::area("A_frame", rectangular_hollow(*size, *t, plate, c))
+            let [outer, inner] = frame(*size, *t, plate, c);
+            named(outer, ["l_o", "b_o"]) - named(inner, ["l_i", "b_i"])
         }
     };
     let a_eff = Formula::new("A_eff", a_eff, Unit::Area);

@@ -4,8 +4,6 @@
 //! # Source
 //! EN 1993-1-8:2005 6.2.5(3) to (6), Figure 6.4; 6.2.8.2.
 
-use std::f64::consts::PI;
-
 /// An I section on a plate \[mm\].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct IArea {
@@ -43,18 +41,17 @@ impl IArea {
     }
 }
 
-/// Area under a rectangular hollow section of the size `[h, b]` and the wall `t`, its corners
-/// sharp, in the middle of a plate of the size `plate` \[mm²\].
-pub fn rectangular_hollow([h, b]: [f64; 2], t: f64, plate: [f64; 2], c: f64) -> f64 {
-    let outer = (h + 2.0 * c).min(plate[0]) * (b + 2.0 * c).min(plate[1]);
-    let inside = |size: f64| (size - 2.0 * (t + c)).max(0.0);
-    outer - inside(h) * inside(b)
+/// Sides of the outer and of the inner rectangle of the area under a rectangular hollow section of
+/// the size `[h, b]` and the wall `t`, its corners sharp, in the middle of a plate of the size
+/// `plate` \[mm\].
+pub fn frame(size: [f64; 2], t: f64, plate: [f64; 2], c: f64) -> [[f64; 2]; 2] {
+    let outer = [0, 1].map(|k| (size[k] + 2.0 * c).min(plate[k]));
+    [outer, size.map(|s| (s - 2.0 * (t + c)).max(0.0))]
 }
 
-/// Area under a circular hollow section of the diameter `d` and the wall `t` in the middle of a
-/// plate \[mm²\]. A ring beyond the plate is cut by the circle that touches the nearest edge.
-pub fn circular_hollow(d: f64, t: f64, plate: [f64; 2], c: f64) -> f64 {
-    let outer = (d + 2.0 * c).min(plate[0]).min(plate[1]);
-    let inner = (d - 2.0 * (t + c)).max(0.0);
-    0.25 * PI * (outer * outer - inner * inner)
+/// Outer and inner diameter of the area under a circular hollow section of the diameter `d` and the
+/// wall `t` in the middle of a plate \[mm\]. A ring beyond the plate is cut by the circle that
+/// touches the nearest edge.
+pub fn ring(d: f64, t: f64, plate: [f64; 2], c: f64) -> [f64; 2] {
+    [(d + 2.0 * c).min(plate[0]).min(plate[1]), (d - 2.0 * (t + c)).max(0.0)]
 }

@@ -5,7 +5,9 @@ use super::compression::IBase;
 use crate::check::{Check, Status, Topic, Unit};
 use crate::end_plate::without_strength;
 use crate::eurocode::i_section::Section;
-use crate::eurocode::welds::{PairForce, WeldedSteel, directional_pair, effective_run, least_size};
+use crate::eurocode::welds::{
+    PairForce, WeldedSteel, directional_pair, effective_run, flange_run, least_size,
+};
 use crate::formula::{Formula, Traced};
 use crate::subject::{Part, Place};
 use bracket_joint::assembly::PlaneActions;
@@ -17,8 +19,8 @@ struct Pair<'a> {
     /// Thickness of the plate between them.
     thickness: f64,
     throat: f64,
-    /// Length of each weld, the mean of both sides.
-    length: f64,
+    /// Effective length of each weld, the mean of both sides.
+    run: Formula,
     steel: &'a Strength,
 }
 
@@ -30,26 +32,32 @@ fn pairs<'a>(e: &'a IBase<'_>) -> Vec<Pair<'a>> {
         part: Part::ColumnFlange,
         thickness: p.tf,
         throat: e.flange_throat,
-        // the root fillet of the web takes its part of the inner side
-        length: p.b - 0.5 * p.tw - s.root,
+        run: of_flange(e, s.root),
         steel: e.flange_steel.weaker(&e.plate_steel),
     };
     let web = Pair {
         part: Part::ColumnWeb,
         thickness: p.tw,
         throat: e.web_throat,
-        length: s.clear_depth(),
+        run: effective_run(e.ends, s.clear_depth(), e.web_throat),
         steel: e.web_steel.weaker(&e.plate_steel),
     };
     [flange, web].into_iter().filter(|w| w.throat > 0.0).collect()
+}
+
+/// Mean effective length of the two sides of a flange; the root fillets of the web take their part
+/// of the inner side.
+fn of_flange(e: &IBase<'_>, root: f64) -> Formula {
+    let lengths = [("b", e.profile.b), ("t_w", e.profile.tw), ("r", root), ("a", e.flange_throat)];
+    let both = flange_run(e.ends, lengths.map(|(symbol, l)| Traced::length(symbol, l)));
+    Formula::new("l_eff", both / Traced::from(2.0), Unit::Length)
 }
 
 /// Least sizes, and steels that give their welds no strength.
 pub(super) fn sizes(e: &IBase<'_>) -> Vec<Check> {
     let mut out = Vec::new();
     for w in pairs(e) {
-        let run = effective_run(e.ends, w.length, w.throat);
-        out.extend(least_size(w.part, w.throat, run.value));
+        out.extend(least_size(w.part, w.throat, w.run.value));
         if WeldedSteel::of(w.steel, e.factors.gamma_m2).is_none() {
             out.push(without_strength(w.part, w.steel));
         }
@@ -58,21 +66,23 @@ pub(super) fn sizes(e: &IBase<'_>) -> Vec<Check> {
 }
 
 /// The welds by the directional method: a flange takes M/(h − t_f) and its share of N, the web its
-/// elastic stresses and all of V.
+/// elastic stresses and all of Vz; the flanges share Vy.
 ///
 /// # Source
 /// EN 1993-1-8:2005 4.5.3.2(6), 2.5(1). Compression counts like tension: contact of the column with
 /// the plate is not asked for.
 pub(super) fn under_load(e: &IBase<'_>, a: &PlaneActions) -> Vec<Check> {
-    let [[n, _, v], [_, m, _]] = a.at(1.0);
+    let [[n, across, v], [_, m, _]] = a.at(1.0);
     let p = e.profile;
     let s = Section::from(p);
     let mut out = Vec::new();
     for w in pairs(e) {
         let Some(steel) = WeldedSteel::of(w.steel, e.factors.gamma_m2) else { continue };
-        let run = effective_run(e.ends, w.length, w.throat);
+        let run = w.run;
         let flange = w.part == Part::ColumnFlange;
-        if n == 0.0 && m == 0.0 && (flange || v == 0.0) || run.value <= 0.0 {
+        // each flange takes half of the shear across the column
+        let shear = if flange { 0.5 * across.abs() } else { v.abs() };
+        if n == 0.0 && m == 0.0 && shear == 0.0 || run.value <= 0.0 {
             continue;
         }
         let length = |symbol: &'static str, value| Traced::length(symbol, value);
@@ -88,7 +98,6 @@ pub(super) fn under_load(e: &IBase<'_>, a: &PlaneActions) -> Vec<Check> {
             (push + bent) * length("t_w", p.tw)
         };
         let normal = Formula::new("n", normal, Unit::ForcePerLength);
-        let shear = if flange { 0.0 } else { v.abs() };
         let along = Traced::force("V_Ed", shear) / run.traced();
         let along = Formula::new("l", along, Unit::ForcePerLength);
         let force = PairForce { normal: normal.value, along: along.value, ..PairForce::default() };

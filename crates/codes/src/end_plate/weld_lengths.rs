@@ -2,7 +2,7 @@
 
 use super::at_plate::{self, PlateFlange};
 use crate::check::{Check, CheckId, Topic, Unit};
-use crate::eurocode::welds::effective_run;
+use crate::eurocode::welds::{effective_run, flange_run};
 use crate::formula::{Formula, Number, Traced};
 use crate::subject::Part;
 use bracket_joint::assembly::{EndPlate, Way};
@@ -21,19 +21,12 @@ pub(super) fn run(e: &EndPlate, length: f64, throat: f64) -> Formula {
 /// The welds of one flange of the beam: outside along its width, inside up to the root fillets.
 ///
 /// # Source
-/// EN 1993-1-8:2005 4.5.1(1). A weld that is full-size round the tips has its ends at the root
-/// fillets alone; each loses a leg √2 a, more than the throat that the code asks. Open runs that
-/// are too short, 4.5.1(2), do not count.
+/// EN 1993-1-8:2005 4.5.1(1), see [`flange_run`]. Open runs that are too short, 4.5.1(2), do not
+/// count.
 pub(super) fn flange(e: &EndPlate, f: &PlateFlange<'_>) -> Formula {
-    let [b, t_w, r, a] = [("b", f.width), ("t_w", f.web), ("r", f.root), ("a", e.flange_throat)]
-        .map(|(symbol, value)| Traced::length(symbol, value));
-    let n = Traced::from;
-    let all = n(2.0) * b - t_w - n(2.0) * r;
-    effective(match e.welds.ends {
-        WeldEnds::AllRound => all,
-        WeldEnds::Returned => all - n(2.0) * n(2.0).sqrt() * a,
-        WeldEnds::Open => all - n(6.0) * a,
-    })
+    let lengths = [("b", f.width), ("t_w", f.web), ("r", f.root), ("a", e.flange_throat)];
+    let lengths = lengths.map(|(symbol, value)| Traced::length(symbol, value));
+    effective(flange_run(e.welds.ends, lengths))
 }
 
 /// Length of the shortest of the welds of a flange that stand alone, for 4.5.1(2) \[mm\]: outside

@@ -182,6 +182,39 @@ impl CrossSection {
         )
     }
 
+    /// Utilisation under N and both moments beside a shear force along the web by the linear sum of
+    /// the resistances, plastic for class 1 and 2; of no use for class 4. `moduli`: W_el,y, W_el,z
+    /// and W_pl,z \[mm³\]; `actions`: N, Vz \[N\], My, Mz \[N mm\].
+    ///
+    /// Shear above half of V_pl,Rd reduces the yield strength of the whole section.
+    ///
+    /// # Source
+    /// EN 1993-1-1:2005 6.2.1(7), 6.2.8(3).
+    pub fn linear_sum(&self, moduli: [f64; 3], [axial, shear, my, mz]: [f64; 4]) -> Worked {
+        let s = &self.section;
+        let class = Slenderness::new(s, s.r).class(s, self.fy.mpa(), (-axial).max(0.0));
+        let [w_y, w_z] = match class {
+            Class::Plastic => {
+                [Traced::number("W_pl,y", s.w_pl), Traced::number("W_pl,z", moduli[2])]
+            }
+            _ => [Traced::number("W_el,y", moduli[0]), Traced::number("W_el,z", moduli[1])],
+        };
+        let rho = shear_reduction(shear.abs() / self.shear().value).min(1.0);
+        let f_y = || match rho > 0.0 {
+            true => (Traced::from(1.0) - Traced::number("ρ", rho)) * self.f_y(),
+            false => self.f_y(),
+        };
+        let of = |name: &'static str, moment: f64, w: Traced| {
+            Traced::symbol(name, moment.abs(), Unit::Moment) / plastic(w, f_y(), self.gamma_m0())
+        };
+        let normal = plastic(Traced::area("A", s.area), f_y(), self.gamma_m0());
+        let sum = Traced::force("N_Ed", axial.abs()) / normal
+            + of("M_y,Ed", my, w_y)
+            + of("M_z,Ed", mz, w_z);
+        let (clause, id) = ("EN 1993-1-1:2005 6.2.1(7), 6.2.8", CheckId::ColumnMoment);
+        Worked::of(clause, id, "", sum, Unit::Number)
+    }
+
     /// Resistance to bending about the strong axis beside a shear force along the web and an axial
     /// force \[N mm\]. Class 4 is refused.
     ///

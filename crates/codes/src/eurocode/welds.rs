@@ -340,6 +340,22 @@ pub fn effective_run(ends: WeldEnds, length: f64, throat: f64) -> Formula {
     Formula::new("l_eff", effective, Unit::Length)
 }
 
+/// Effective length of all fillet welds of a flange \[mm\], of its width b, the web t_w, the root
+/// radius r and the throat a: outside along its width, inside up to the root fillets.
+///
+/// # Source
+/// EN 1993-1-8:2005 4.5.1(1). A weld that is full-size round the tips has its ends at the root
+/// fillets alone; each loses a leg √2 a, more than the throat that the code asks.
+pub fn flange_run(ends: WeldEnds, [b, t_w, r, a]: [Traced; 4]) -> Traced {
+    let n = Traced::from;
+    let all = n(2.0) * b - t_w - n(2.0) * r;
+    match ends {
+        WeldEnds::AllRound => all,
+        WeldEnds::Returned => all - n(2.0) * n(2.0).sqrt() * a,
+        WeldEnds::Open => all - n(6.0) * a,
+    }
+}
+
 /// Least throat and least effective length of a fillet weld.
 ///
 /// # Source
