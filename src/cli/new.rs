@@ -57,6 +57,11 @@ pub fn run(args: &NewArgs, common: &Common) -> CommandResult {
     Ok(ExitStatus::Ok)
 }
 
+/// Whether a joint of the template stands on concrete.
+fn on_ground(template: &Template) -> bool {
+    template.supports.iter().any(|s| s.ground.is_some())
+}
+
 /// Today's date in ISO form, from the machine's clock in UTC.
 fn today() -> String {
     let since = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH);
@@ -249,7 +254,7 @@ pub fn starter(
          of slip at the ultimate limit state\n  # gamma_M3_ser: 1.1  # of slip at \
          serviceability\n  # gamma_M7: 1.1  # of the preload of bolts\n",
     );
-    if template.supports.iter().any(|s| s.ground.is_some()) {
+    if on_ground(template) {
         out.push_str(
             "  # gamma_c: 1.5  # of concrete\n  # alpha_cc: 1.0  # coefficient of the strength of \
              concrete; 0.8 to 1\n",
@@ -341,11 +346,16 @@ pub fn starter(
     }
     let ends: Vec<String> = template.ends.iter().flat_map(|e| e.names()).collect();
     if !ends.is_empty() {
+        let senses = match on_ground(template) {
+            true => {
+                "N lifts, Vz acts along the depth of the column, My pulls its side of positive x"
+            }
+            false => "N pulls, Vz lifts, My pulls the top of the section (hogging)",
+        };
         let _ = writeln!(
             out,
-            "# end: {}; at: the point N, Vy, Vz, T, My, Mz refer to. N pulls, Vz lifts, My pulls \
-             the top of the section (hogging)\n# factor: which of them the load factor multiplies \
-             (all, if left out)",
+            "# end: {}; at: the point N, Vy, Vz, T, My, Mz refer to. {senses}\n# factor: which of \
+             them the load factor multiplies (all, if left out)",
             ends.join(", ")
         );
     }

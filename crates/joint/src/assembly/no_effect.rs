@@ -52,6 +52,11 @@ pub(super) fn notes(
         out.push(
             "`welds` has no effect: neither flanges nor web of the beam have fillet welds".into(),
         );
+    } else if spec.welds.bearing_in_contact && !matches!(seen, Some(Facts::EndPlate(_))) {
+        out.push(
+            "`welds.bearing_in_contact` has no effect: these checks count compression like tension"
+                .into(),
+        );
     }
     Ok(out)
 }

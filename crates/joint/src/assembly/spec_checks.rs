@@ -3,7 +3,7 @@
 
 use super::error::{AssemblyError, known_names, unknown_in};
 use super::load_checks;
-use super::template::Template;
+use super::template::{EndEntry, Template};
 use crate::spec::analysis::MeshSize;
 use crate::spec::connection::{BoltCategory, ConnectionSpec, PreloadSpec};
 use bracket_base::diag::did_you_mean;
@@ -220,10 +220,11 @@ fn bolt_model(spec: &ConnectionSpec, faults: &mut Vec<AssemblyError>) {
 /// Loads that name no section, an unknown section, or a section already loaded.
 fn loads(spec: &ConnectionSpec, template: &Template, faults: &mut Vec<AssemblyError>) {
     if spec.loads.is_empty() {
-        let about = match template.ends.iter().flat_map(|e| e.names()).next() {
-            Some(end) => format!(
-                "what acts on the joint; for example `[{{name: ULS1, end: {end}, at: column_face, \
-                 My: 40 kN m, Vz: -75 kN}}]`"
+        let first = |e: &EndEntry| Some((e.names().first()?.clone(), *e.point_words().first()?));
+        let about = match template.ends.iter().find_map(first) {
+            Some((end, at)) => format!(
+                "what acts on the joint; for example `[{{name: ULS1, end: {end}, at: {at}, My: 40 \
+                 kN m, Vz: -75 kN}}]`"
             ),
             None => "what acts on the joint; for example `[{name: TOP, section: column_top, \
                      pressure: 45 MPa}]`"
