@@ -67,6 +67,12 @@ fn the_model_stands_on_concrete() {
             let pulls: Vec<f64> = pulls.map(|l| l.at_most).collect();
             assert_eq!(pulls.len(), 4);
             assert!(pulls.iter().all(|p| (p / PULL - 1.0).abs() < 1e-9), "{pulls:?}");
+            // 6.2.2(7): α_b = 0.44 − 0.0003 · 640
+            let most = 0.248 * 800.0 * 245.0 / 1.25;
+            let shears = file.resultant_limits.iter().filter(|l| l.name.ends_with(": shear"));
+            let shears: Vec<f64> = shears.map(|l| l.at_most).collect();
+            assert!(!shears.is_empty(), "{:#?}", file.resultant_limits);
+            assert!(shears.iter().all(|v| (v / most - 1.0).abs() < 1e-9), "{shears:?}");
         }
     }
 }

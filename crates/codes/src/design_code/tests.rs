@@ -224,6 +224,7 @@ fn grip_of_m20() {
         grade: catalog.bolt_grade(grade).expect("listed").clone(),
         hole,
         extent,
+        anchored: false,
         plies: vec![ply(12.0, Some(room)), ply(20.0, None)],
     };
     let of = |grip: &Grip| code(1.0, 1.25).bolt_limits(grip);

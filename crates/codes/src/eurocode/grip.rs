@@ -2,6 +2,7 @@
 
 use super::bearing::{Along, Bearing, Hole};
 use super::bolts::{beta_lf, shear_resistance, tension_resistance};
+use super::concrete::f_vb_rd;
 use super::holes::{Clearance, shear_factor};
 use super::interaction::TENSION_BESIDE_SHEAR;
 use super::punching::{mean_diameter, punching_resistance};
@@ -21,13 +22,18 @@ const NO_BEARING: f64 = 1.0;
 /// lesser of the two sides.
 ///
 /// # Source
-/// EN 1993-1-8:2005 Table 3.4, 3.6.1(5), 3.8(1).
+/// EN 1993-1-8:2005 Table 3.4, 3.6.1(5), 3.8(1); of an anchor 6.2.2(7).
 pub fn limits(grip: &Grip, factors: &PartialFactors) -> BoltLimits {
     let (size, grade, gamma) = (&grip.size, &grip.grade, factors.gamma_m2);
     let tension = tension_resistance(size, grade, gamma).value;
     let shear = shear_resistance(size, grade, gamma).value
         * shear_factor(size, grade, grip.hole)
         * beta_lf(grip.extent, size.d);
+    // outside the range of f_yb the formula goes on: it falls, and never exceeds that of a bolt
+    let shear = match grip.anchored {
+        true => f_vb_rd(grade.fyb, grade.fub, size.stress_area, gamma).min(shear).max(NO_BEARING),
+        false => shear,
+    };
     let punching = |ply: Option<&Ply>| {
         ply.map_or(tension, |p| {
             punching_resistance(mean_diameter(size), p.thickness, p.fu.mpa(), gamma).value

@@ -299,6 +299,8 @@ pub struct Grip {
     /// Distance between the bolts of the ply that are farthest apart \[mm\]; the largest of all
     /// plies.
     pub extent: f64,
+    /// True for an anchor, held in concrete.
+    pub anchored: bool,
     /// The plies, from head to nut.
     pub plies: Vec<Ply>,
 }

@@ -192,6 +192,7 @@ mod tests {
             grade: catalog.bolt_grade("8.8").expect("listed").clone(),
             hole: 18.0,
             extent: 0.0,
+            anchored: false,
             plies: vec![ply("UPPER"), ply("LOWER")],
         }];
         joint.sections = vec![Section {

@@ -109,6 +109,7 @@ impl Context<'_> {
                 grade: grade.clone(),
                 hole: if gap > 0.0 { size.d + 2.0 * gap } else { size.hole_normal },
                 extent: extent.copied().fold(0.0, f64::max),
+                anchored: b.anchor.is_some(),
                 plies,
             });
         }
