@@ -29,11 +29,6 @@ pub fn limits(grip: &Grip, factors: &PartialFactors) -> BoltLimits {
     let shear = shear_resistance(size, grade, gamma).value
         * shear_factor(size, grade, grip.hole)
         * beta_lf(grip.extent, size.d);
-    // outside the range of f_yb the formula goes on: it falls, and never exceeds that of a bolt
-    let shear = match grip.anchored {
-        true => f_vb_rd(grade.fyb, grade.fub, size.stress_area, gamma).min(shear).max(NO_BEARING),
-        false => shear,
-    };
     let punching = |ply: Option<&Ply>| {
         ply.map_or(tension, |p| {
             punching_resistance(mean_diameter(size), p.thickness, p.fu.mpa(), gamma).value
@@ -43,6 +38,11 @@ pub fn limits(grip: &Grip, factors: &PartialFactors) -> BoltLimits {
     let area = std::f64::consts::PI * size.d * size.d / 4.0;
     let yielding = plastic(area, grade.fyb, factors.gamma_m0);
     let shank = (3f64.sqrt() * shear).min(yielding).max(tension) / area;
+    // outside the range of f_yb the formula goes on: it falls, and never exceeds that of a bolt
+    let shear = match grip.anchored {
+        true => f_vb_rd(grade.fyb, grade.fub, size.stress_area, gamma).min(shear).max(NO_BEARING),
+        false => shear,
+    };
     BoltLimits {
         shank: Design::new(shank),
         tension,
