@@ -73,18 +73,11 @@ pub fn contact_map(
 /// The map of the pressure on ground that crushes, completed in the same way. `None` if there is no
 /// such ground, or if its faces do not lie on one plane normal to an axis.
 pub fn ground_map(model: &AnalysisModel, stress: &StressField, mirror: &[usize]) -> Option<Svg> {
-    let crushes = |face: &ContactFace<'_>| strength(model, face).is_some();
+    let crushes = |face: &ContactFace<'_>| model.crushing_strength(face.of).is_some();
     let (axes, patches) = patches(model, stress, mirror, crushes)?;
     let peak = model.ground.iter().filter_map(|g| g.strength).fold(0.0, f64::max);
     let title = "Pressure on the ground".into();
     Some(draw(&patches, axes, &Shown { title, peak, ground: true }))
-}
-
-/// The strength of the ground under a contact face; `None` on another part, or where it never
-/// crushes.
-fn strength(model: &AnalysisModel, face: &ContactFace<'_>) -> Option<f64> {
-    let ground = face.of.checked_sub(model.interfaces.len())?;
-    model.ground.get(ground)?.strength
 }
 
 /// The faces that are kept, with the axes of their plane on the page; `None` if they lie on more
@@ -112,7 +105,7 @@ fn patches(
             .sum::<f64>()
             / 3.0;
         let [u, v] = page_axes(axis);
-        let crushed = strength(model, &face).is_some_and(|f| pressure >= AT_STRENGTH * f);
+        let crushed = model.crushing_strength(face.of).is_some_and(|f| pressure >= AT_STRENGTH * f);
         patches.push(Patch { corners: corners.map(|x| [x[u], x[v]]), pressure, crushed });
     }
     let (axis, _) = plane?;
