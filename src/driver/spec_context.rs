@@ -15,7 +15,7 @@ use bracket_joint::assembly::assembly::{FaceSupport, Part, Surface};
 use bracket_joint::assembly::{Assembly, Facts};
 use bracket_joint::spec::connection::ConnectionSpec;
 use bracket_joint::spec::loads::ActionPoint;
-use bracket_joint::strength::{Design, DesignStrengths};
+use bracket_joint::strength::{Bearing, Design, DesignStrengths};
 use bracket_report::document::picture::PictureRef;
 use bracket_report::document::table::Table;
 use bracket_report::draw::contact_map::AXES;
@@ -121,7 +121,14 @@ fn supports(assembly: &Assembly, strengths: &DesignStrengths) -> Table {
             Surface::Mantle { radius, .. } => format!("r = {} mm", number(radius)),
         };
         let held = match strengths.ground.get(&support.face) {
-            Some(f) => say!("pressure up to {} MPa", number(f.mpa())),
+            Some(Bearing { strength: f, stiffness: None }) => {
+                say!("pressure up to {} MPa", number(f.mpa()))
+            }
+            Some(Bearing { strength: f, stiffness: Some(k) }) => say!(
+                "pressure up to {} MPa; elastic: {} N/mm³",
+                number(f.mpa()),
+                number((1e3 * k).round() / 1e3)
+            ),
             None => Text::given(held.join(" ")),
         };
         let [name, part] = [&face.name, &face.part].map(Text::given);

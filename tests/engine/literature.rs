@@ -20,3 +20,4 @@ mod slivers_in_contact;
 mod timoshenko_exact_bars;
 mod vdi2230_bolt_in_sleeve;
 mod welds_between_blocks;
+mod winkler_elastic_ground;

@@ -46,6 +46,9 @@ fn the_checks_know_all_of_a_base() {
 fn the_model_stands_on_concrete() {
     let joint = base("thickness: 30", "", "N: -400 kN, My: 30 kN m");
     let f_jd = 2.0 / 3.0 * (1.0 + 600.0 / 360.0) * 25.0 / 1.5;
+    let c = 30.0 * (235.0 / (3.0 * f_jd)).sqrt();
+    let area = 260.0 * (15.0 + 2.0 * c);
+    let settles = 22e3 * 3.3f64.powf(0.3) / (1.275 * area.sqrt());
     for kind in [AnalysisKind::Limit, AnalysisKind::Elastic] {
         let (file, mesh) = model(&joint, 3.0, true, kind);
         let ground: Vec<_> =
@@ -57,6 +60,8 @@ fn the_model_stands_on_concrete() {
             let want = limited.then_some(f_jd);
             assert_eq!(s.strength.is_some(), want.is_some(), "{s:?}");
             assert!(s.strength.is_none_or(|f| (f / f_jd - 1.0).abs() < 1e-12), "{s:?}");
+            assert_eq!(s.stiffness.is_some(), !limited, "{s:?}");
+            assert!(s.stiffness.is_none_or(|k| (k / settles - 1.0).abs() < 1e-12), "{s:?}");
         }
         let anchors = file.supports.iter().filter(|s| s.face.starts_with("ANCHORAGE"));
         assert_eq!(anchors.filter(|s| s.fix == [Axis::X, Axis::Y, Axis::Z]).count(), 4);

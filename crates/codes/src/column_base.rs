@@ -26,6 +26,7 @@ use compression::IBase;
 
 pub use diagram::moment_axial;
 pub use forces::moment_resistance;
+pub(crate) use stiffness::ground_stiffness;
 
 /// All hand checks of a column base.
 pub fn base_checks(e: &ColumnBase) -> HandChecks {

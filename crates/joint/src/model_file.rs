@@ -103,16 +103,17 @@ pub fn model_file(
         ..SupportEntry::default()
     };
     // without friction: it would need the pressure that the certificate of Coulomb's law lacks
-    let ground = |face: &str| SupportEntry {
-        face: face.to_string(),
-        law: Some(Law::Contact),
-        mu: Some(0.0),
-        strength: strengths
-            .ground
-            .get(face)
-            .filter(|_| analysis == AnalysisKind::Limit)
-            .map(|f| f.mpa()),
-        ..SupportEntry::default()
+    let limit = analysis == AnalysisKind::Limit;
+    let ground = |face: &str| {
+        let bearing = strengths.ground.get(face);
+        SupportEntry {
+            face: face.to_string(),
+            law: Some(Law::Contact),
+            mu: Some(0.0),
+            strength: bearing.filter(|_| limit).map(|b| b.strength.mpa()),
+            stiffness: bearing.filter(|_| !limit).and_then(|b| b.stiffness),
+            ..SupportEntry::default()
+        }
     };
     let mut supports: Vec<SupportEntry> = assembly
         .supports

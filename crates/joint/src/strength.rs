@@ -160,6 +160,15 @@ pub struct BoltLimits {
     pub bearing: Vec<Option<[[f64; 2]; 2]>>,
 }
 
+/// The concrete under a base plate, as a design code has it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bearing {
+    /// Bearing strength.
+    pub strength: Design,
+    /// Pressure per settlement \[N/mm³\]; `None`: it does not settle.
+    pub stiffness: Option<f64>,
+}
+
 /// Design strengths of the materials and welds of an assembly, with which an analysis computes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct DesignStrengths {
@@ -172,7 +181,6 @@ pub struct DesignStrengths {
     pub perforated: BTreeMap<String, Design>,
     /// Resistances of the bolts by the name of their part, for every bolt of the assembly.
     pub bolts: BTreeMap<String, BoltLimits>,
-    /// Bearing strength of the concrete by the name of the support's face, for every support on
-    /// concrete.
-    pub ground: BTreeMap<String, Design>,
+    /// Concrete by the name of the support's face, for every support on concrete.
+    pub ground: BTreeMap<String, Bearing>,
 }

@@ -49,6 +49,19 @@ pub fn triangle_mass(a: usize, b: usize) -> f64 {
     if a == b { 1.0 / 6.0 } else { 1.0 / 12.0 }
 }
 
+/// Entry of the mass matrix of the quadratic Bernstein polynomials on a triangle of unit area: λ_i²
+/// of the vertices, then 2 λ_i λ_j of the edges 01, 12, 02.
+#[inline]
+pub fn bernstein_mass(a: usize, b: usize) -> f64 {
+    // ∫ λ₀^i λ₁^j λ₂^k = 2 i! j! k! / (i + j + k + 2)!
+    const ENDS: [[usize; 2]; 6] = [[0, 0], [1, 1], [2, 2], [0, 1], [1, 2], [0, 2]];
+    const FACTORIAL: [f64; 5] = [1.0, 1.0, 2.0, 6.0, 24.0];
+    let mut powers = [0; 3];
+    ENDS[a].iter().chain(&ENDS[b]).for_each(|&i| powers[i] += 1);
+    let factor = |i: usize| if i < 3 { 1.0 } else { 2.0 };
+    factor(a) * factor(b) * powers.iter().map(|&p| FACTORIAL[p]).product::<f64>() / 360.0
+}
+
 /// Entry of the mass matrix of linear functions on a tetrahedron of unit volume: `1/20 (1 + δ_ab)`.
 #[inline]
 pub fn tetrahedron_mass(a: usize, b: usize) -> f64 {

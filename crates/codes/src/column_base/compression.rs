@@ -87,16 +87,12 @@ fn named([l, b]: [f64; 2], names: [&'static str; 2]) -> Traced {
     Traced::length(names[0], l) * Traced::length(names[1], b)
 }
 
-/// N_j,Rd under axial compression alone \[N\]. On an eccentric plate the area is that of the
-/// narrower side on both sides, so that its centre lies in the axis of the column.
-///
-/// # Source
-/// EN 1993-1-8:2005 6.2.8.2(1), 6.2.5.
-pub(super) fn whole(e: &ColumnBase) -> Worked {
-    let bearing = Bearing::new(e);
+/// The area on which the whole section presses. On an eccentric plate it is that of the narrower
+/// side on both sides, so that its centre lies in the axis of the column.
+fn effective_area(e: &ColumnBase, bearing: &Bearing) -> Traced {
     let edge = e.to_edge(1.0).min(e.to_edge(-1.0));
     let (plate, c) = ([2.0 * edge, e.plate[1]], bearing.c.value);
-    let a_eff = match &e.section {
+    match &e.section {
         BaseSection::I(profile) => {
             let area = bearing.area(&IBase { base: e, profile }, edge);
             let flanges = Traced::from(2.0) * named(area.flange(), ["l_f", "b_f"]);
@@ -115,8 +111,21 @@ pub(super) fn whole(e: &ColumnBase) -> Worked {
             let [outer, inner] = frame(*size, *t, plate, c);
             named(outer, ["l_o", "b_o"]) - named(inner, ["l_i", "b_i"])
         }
-    };
-    let a_eff = Formula::new("A_eff", a_eff, Unit::Area);
+    }
+}
+
+/// The same area \[mm²\].
+pub(super) fn whole_area(e: &ColumnBase) -> f64 {
+    effective_area(e, &Bearing::new(e)).value()
+}
+
+/// N_j,Rd under axial compression alone \[N\].
+///
+/// # Source
+/// EN 1993-1-8:2005 6.2.8.2(1), 6.2.5.
+pub(super) fn whole(e: &ColumnBase) -> Worked {
+    let bearing = Bearing::new(e);
+    let a_eff = Formula::new("A_eff", effective_area(e, &bearing), Unit::Area);
     let value = bearing.f_jd.traced() * a_eff.traced();
     let (clause, id) = ("EN 1993-1-8:2005 6.2.8.2, 6.2.5", CheckId::BaseCompression);
     let (c, area) = (bearing.c.value, a_eff.value);

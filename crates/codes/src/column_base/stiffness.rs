@@ -1,7 +1,7 @@
 //! Initial stiffness of a base with one side in tension and one in compression.
 
 use super::case_end::at;
-use super::compression::{IBase, flange_area, z_c};
+use super::compression::{IBase, flange_area, whole_area, z_c};
 use super::forces::{Force, Forces};
 use crate::check::{Check, CheckId, Topic, Unit};
 use crate::component_method::t_stub::Prying;
@@ -9,7 +9,24 @@ use crate::eurocode::concrete::e_cm;
 use crate::formula::{Formula, Number, Traced};
 use crate::subject::Part;
 use crate::worked::Worked;
-use bracket_joint::assembly::PlaneActions;
+use bracket_joint::assembly::{ColumnBase, PlaneActions};
+
+/// Pressure per settlement of the concrete under a base \[N/mm³\]: that of the spring k_13 over its
+/// area, `E_c / (1.275 √A)`. A is the area under one flange, the mean of both on an eccentric plate,
+/// and half of the whole area under a hollow section.
+///
+/// # Source
+/// EN 1993-1-8:2005 6.3.4 with Table 6.11: k_13 = E_c √(b_eff l_eff)/(1.275 E).
+pub(crate) fn ground_stiffness(e: &ColumnBase) -> f64 {
+    let area = match IBase::of(e) {
+        Some(i) => 0.5 * (flange_area(&i, 1.0) + flange_area(&i, -1.0)),
+        None => 0.5 * whole_area(e),
+    };
+    e_cm(e.foundation.f_ck.mpa()) / (K_13 * area.sqrt())
+}
+
+/// Divisor of k_13, EN 1993-1-8:2005 Table 6.11.
+const K_13: f64 = 1.275;
 
 /// S_j,ini under the moment of a case, and the length of the column from which it is rigid.
 ///
@@ -27,7 +44,7 @@ pub(super) fn checks(e: &IBase<'_>, a: &PlaneActions, forces: &Forces) -> Vec<Ch
     let e_c = e_cm(Traced::stress("f_ck", e.foundation.f_ck.mpa()));
     let e_c = Formula::new("E_c", e_c, Unit::Stress);
     let area = Traced::area("b_eff l_eff", flange_area(e, *pressed)).sqrt();
-    let k13 = spring("k_13", e_c.traced() * area / (num(1.275) * modulus()));
+    let k13 = spring("k_13", e_c.traced() * area / (num(K_13) * modulus()));
     let (of_plate, of_anchor) = match row.prying {
         Prying::Develops => (0.85, 1.6),
         Prying::Absent => (0.425, 2.0),

@@ -1,15 +1,16 @@
 //! A design code with its partial factors.
 
+use crate::column_base::ground_stiffness;
 use crate::eurocode::bolts::shank_strength;
 use crate::eurocode::concrete;
 use crate::eurocode::grip;
 use crate::eurocode::welds::shear_strength;
 use crate::eurocode::yielding::{net_strength, yield_strength};
 use bracket_joint::assembly::assembly::Grip;
-use bracket_joint::assembly::{Assembly, Foundation, Joint};
+use bracket_joint::assembly::{Assembly, Facts, Foundation, Joint};
 use bracket_joint::spec::code::{Edition, PartialFactors};
 use bracket_joint::strength::{
-    BoltLimits, BoltShank, Design, DesignStrengths, Nominal, NominalStrength, WeldSteel,
+    Bearing, BoltLimits, BoltShank, Design, DesignStrengths, Nominal, NominalStrength, WeldSteel,
 };
 use std::collections::BTreeMap;
 
@@ -105,10 +106,10 @@ impl DesignCode {
             }
         }
         let (welds, grips) = (assembly.welds.iter(), assembly.grips.iter());
-        let ground = assembly
-            .supports
-            .iter()
-            .filter_map(|s| Some((s.face.clone(), self.bearing_strength(s.ground.as_ref()?))));
+        let ground = assembly.supports.iter().filter_map(|s| {
+            let strength = self.bearing_strength(s.ground.as_ref()?);
+            Some((s.face.clone(), Bearing { strength, stiffness: None }))
+        });
         DesignStrengths {
             ground: ground.collect(),
             materials,
@@ -121,5 +122,10 @@ impl DesignCode {
 
 /// Design strengths of a joint by the code by which it was built.
 pub fn design_strengths(joint: &Joint) -> DesignStrengths {
-    DesignCode::of(joint).strengths(&joint.assembly)
+    let mut strengths = DesignCode::of(joint).strengths(&joint.assembly);
+    if let Some(Facts::ColumnBase(base)) = &joint.facts {
+        let stiffness = (!base.foundation.rigid).then(|| ground_stiffness(base));
+        strengths.ground.values_mut().for_each(|bearing| bearing.stiffness = stiffness);
+    }
+    strengths
 }

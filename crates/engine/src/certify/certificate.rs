@@ -7,6 +7,7 @@
 //! together.
 
 use crate::certify::cut_limits;
+use crate::certify::elastic_ground;
 use crate::certify::faces::{
     FaceKey, FaceRole, InterfaceFace, contact_faces, roles, tie_faces, weld_faces,
 };
@@ -67,10 +68,10 @@ pub struct KinematicCertificate {
     /// max |u − u_d| / max |u| on supports and rigid faces.
     pub compatibility: f64,
     /// Largest violation of the contact law by a Bernstein coefficient / max(|g|, |g₀|), g₀ the
-    /// initial gap and shift; `None` without contact.
+    /// initial gap and shift; `None` without contact other than with elastic ground.
     pub contact: Option<f64>,
     /// Smallest margin of a Bernstein coefficient `g_N + g₀ − μ‖g_T‖` \[mm\]; `None` without
-    /// contact.
+    /// contact other than with elastic ground.
     pub smallest_margin: Option<f64>,
     /// Largest normal gap between faces in contact, initial gap included \[mm\]; `None` without
     /// contact.
@@ -188,6 +189,7 @@ pub fn certify_stress(
         for (l, w) in TRIANGLE_4 {
             energy.add(w * area * vec3::dot(at_barycentric(&r, l), n) * bernstein_at(&opening, l));
         }
+        energy.add(elastic_ground::complementary_energy_of(model, f, &r));
     }
     let contact = !contacts.is_empty();
     StaticCertificate {
@@ -393,7 +395,9 @@ pub(crate) fn certify_motion(
             };
             let gn = vec3::dot(g, n);
             let gt = vec3::norm(vec3::sub(g, vec3::scale(gn, n)));
-            margin = margin.min(gn + gap - f.law.mu * gt);
+            if model.ground_stiffness(f.of).is_none() {
+                margin = margin.min(gn + gap - f.law.mu * gt);
+            }
             max_g = max_g.max(vec3::norm(g)).max(gap.abs());
             if i < 3 {
                 max_gap = max_gap.max(gn + gap);
@@ -401,15 +405,18 @@ pub(crate) fn certify_motion(
         }
     }
     let contact = !contacts.is_empty();
+    // elastic ground gives way to any displacement
+    let hard = contacts.iter().any(|f| model.ground_stiffness(f.of).is_none());
     let welds = welds::dissipations(model, u);
     welds.iter().for_each(|d| strain_energy.add(*d));
+    strain_energy.add(elastic_ground::energy(model, space, u));
     KinematicCertificate {
         energy: strain_energy.value() - work.value(),
         welds,
         work: work.value(),
         compatibility: ratio(off, max_u),
-        contact: contact.then(|| ratio((-margin).max(0.0), max_g)),
-        smallest_margin: contact.then_some(margin),
+        contact: hard.then(|| ratio((-margin).max(0.0), max_g)),
+        smallest_margin: hard.then_some(margin),
         largest_gap: contact.then_some(max_gap),
         peak_pressure: contact.then(|| displacement_pressure(model, stress)),
     }

@@ -3,7 +3,7 @@
 //!
 //! Elastic: `Π_p + Π_c = Σ_K ½ ∫ (σ − Cε):C⁻¹:(σ − Cε) + Σ_contact ∫ r_N (g_N + g₀) + r_T·g_T +
 //! Σ_weld (D − ∫ t·g)`. Every term is ≥ 0; D is the dissipation of a weld face, an upper bound of
-//! `∫ strength ‖g‖`.
+//! `∫ strength ‖g‖`. Contact with elastic ground adds its energy and its complementary energy.
 //!
 //! Limit analysis, at unit power of the live loads:
 //! `λ_up − λ_low = Σ_K ∫ π(ε) − σ:ε + Σ_contact ∫ r_N g_N + r_T·g_T + Σ_weld (D − ∫ t·g) + Σ_slip
@@ -28,7 +28,7 @@ use crate::certify::tractions::contact_tractions;
 use crate::certify::velocity_field::VelocityField;
 use crate::certify::velocity_field::pieces;
 use crate::certify::welds;
-use crate::certify::{crushing, cut_limits};
+use crate::certify::{crushing, cut_limits, elastic_ground};
 use crate::elements::space::Tet10Space;
 use crate::elements::super_element::{PointStress, integrate};
 use crate::elements::tet10;
@@ -222,7 +222,7 @@ fn minus(a: &PointStress, b: &PointStress) -> PointStress {
     })
 }
 
-/// `∫ r_N (g_N + g₀) + r_T·g_T` of each contact face, shifts as gaps; without `gaps` initial gaps
+/// `∫ r_N (g_N + g₀) + r_T·g_T` of each contact face, with the two energies of elastic ground, shifts as gaps; without `gaps` initial gaps
 /// count as closed.
 fn contact_work(
     model: &AnalysisModel,
@@ -237,6 +237,8 @@ fn contact_work(
         let r = contact_tractions(model, s, f, roles.get(&(f.a.tet, f.a.local)));
         let (n, area) = f.normal(model);
         let opening = if gaps { f.opening(model) } else { Default::default() };
+        let ground = elastic_ground::energy_of(model, space, f, &u.u)
+            + elastic_ground::complementary_energy_of(model, f, &r);
         let a = space.triangle(f.nodes_a).map(|n| u.u[n]);
         let b = f.b.map_or([[0.0; 3]; 6], |(_, nodes)| space.triangle(nodes).map(|n| u.u[n]));
         let terms = TRIANGLE_4.iter().map(|(l, w)| {
@@ -249,7 +251,7 @@ fn contact_work(
             let r = at(&r);
             w * area * (vec3::dot(r, g) + vec3::dot(r, n) * bernstein_at(&opening, *l))
         });
-        terms.sum()
+        ground + terms.sum::<f64>()
     };
     contact_faces(model).iter().map(work).collect()
 }

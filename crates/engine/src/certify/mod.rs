@@ -10,6 +10,7 @@ pub mod coulomb_shift;
 pub mod crushing;
 pub mod cut_limits;
 pub mod dissipation;
+pub mod elastic_ground;
 pub mod faces;
 pub mod fields;
 pub mod free_mechanism;

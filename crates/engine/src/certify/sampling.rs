@@ -279,7 +279,7 @@ fn crushing(
     })
 }
 
-/// Largest violation of the contact law, none on ground that crushes \[mm\]. With `initial` initial
+/// Largest violation of the contact law, none on ground that gives way \[mm\]. With `initial` initial
 /// gaps and shifts count, without it gaps count as closed.
 fn gap_cones(
     model: &AnalysisModel,
@@ -289,7 +289,8 @@ fn gap_cones(
     random: &mut Random,
 ) -> f64 {
     let mut contacts = contact_faces(model);
-    contacts.retain(|f| model.crushing_strength(f.of).is_none());
+    let rigid = |of| model.crushing_strength(of).or(model.ground_stiffness(of)).is_none();
+    contacts.retain(|f| rigid(f.of));
     let space = Tet10Space::new(&model.mesh);
     let mut worst = 0.0f64;
     for _ in 0..points * usize::from(!contacts.is_empty()) {

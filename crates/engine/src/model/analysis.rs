@@ -128,6 +128,9 @@ pub struct GroundContact {
     pub law: ContactLaw,
     /// Pressure at which the ground crushes, in limit analysis \[MPa\]; `None`: it never does.
     pub strength: Option<f64>,
+    /// Pressure per closing of elastic ground, in elastic and elastoplastic analysis \[N/mm³\];
+    /// `None`: the ground is rigid.
+    pub stiffness: Option<f64>,
     /// Its faces.
     pub faces: Vec<BoundaryFace>,
 }

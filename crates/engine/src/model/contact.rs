@@ -32,6 +32,12 @@ impl AnalysisModel {
         self.ground.get(contact.checked_sub(self.interfaces.len())?)?.strength
     }
 
+    /// Stiffness of the elastic ground of a contact \[N/mm³\]; `None`: between bodies, on rigid
+    /// ground and on ground that crushes.
+    pub fn ground_stiffness(&self, contact: usize) -> Option<f64> {
+        self.ground.get(contact.checked_sub(self.interfaces.len())?)?.stiffness
+    }
+
     /// True when the ground of some contact crushes.
     pub fn has_crushing_ground(&self) -> bool {
         self.ground.iter().any(|g| g.strength.is_some())

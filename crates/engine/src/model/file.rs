@@ -236,6 +236,10 @@ pub struct SupportEntry {
     /// rigid.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub strength: Option<f64>,
+    /// Pressure per settlement of elastic ground (Winkler), in elastic and elastoplastic analysis
+    /// \[N/mm³\]; without it the ground is rigid.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stiffness: Option<f64>,
     /// Friction law of the ground.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub friction: Option<FrictionLaw>,

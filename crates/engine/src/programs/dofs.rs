@@ -20,8 +20,8 @@ pub struct DofMap {
     pub closures: usize,
     /// Number of unknowns of the motions of resultant limits; they follow the closures.
     pub motions: usize,
-    /// Number of closings of crushing ground; they are the last unknowns.
-    closings: usize,
+    /// Number of closings of ground that gives way; they are the last unknowns.
+    closing_count: usize,
     /// Prescribed closures: unknown and value \[mm\].
     pub frozen: Vec<(usize, f64)>,
     /// Block (node, face or rigid motion) of each unknown, for fill-reducing orderings.
@@ -56,26 +56,26 @@ impl DofMap {
 
     /// Number of motions of rigid faces.
     pub fn rigid(&self) -> usize {
-        self.n - self.plain - self.closures - self.motions - self.closings
+        self.n - self.plain - self.closures - self.motions - self.closing_count
     }
 
     /// The unknowns of the motions of resultant limits.
     pub fn limit_motions(&self) -> Range<usize> {
-        let end = self.crushing().start;
+        let end = self.closings().start;
         end - self.motions..end
     }
 
-    /// Appends the closings of crushing ground, each a block of its own.
-    pub fn append_crushing(&mut self, count: usize) {
+    /// Appends the closings of the ground, each a block of its own.
+    pub fn append_closings(&mut self, count: usize) {
         let first = self.block.iter().max().map_or(0, |b| b + 1);
         self.block.extend(first..first + count as u32);
         self.n += count;
-        self.closings = count;
+        self.closing_count = count;
     }
 
-    /// The unknowns of the closings of crushing ground.
-    pub fn crushing(&self) -> Range<usize> {
-        self.n - self.closings..self.n
+    /// The unknowns of the closings of the ground.
+    pub fn closings(&self) -> Range<usize> {
+        self.n - self.closing_count..self.n
     }
 
     /// True when full unknown `i` follows others: across a preloaded cut, or along an oblique face

@@ -17,6 +17,7 @@ use crate::programs::assemble::assemble;
 use crate::programs::conic::{ConicProgram, Csr};
 use crate::programs::constraints::{FacePoints, hold, working_live_loads};
 use crate::programs::contact::cone;
+use crate::programs::contact::elastic_ground;
 use crate::programs::contact::kinematic_contact::ControlPoint;
 use crate::programs::contact::kinematic_contact::control_points;
 use crate::programs::contact::kinematic_contact::points_of_faces;
@@ -25,6 +26,7 @@ use crate::programs::dofs::DofMap;
 use crate::programs::loads::{BodyForceNodes, kinematic_forces};
 use crate::programs::rigid_motions::{self, RigidMotions, RigidPieces};
 use crate::programs::slip_face::{SlipFace, slip_faces};
+use crate::programs::symmetric_sum::plus_entries;
 use crate::programs::tied_points::{self, TiedPoints};
 use crate::programs::yielding_elements::append;
 use crate::programs::{cuts, free_modes, weld_face};
@@ -127,12 +129,11 @@ pub(super) fn numbering(
 }
 
 impl Kinematic {
-    /// Number of unknowns that the elements share and of closings of crushing ground, of
-    /// the program of limit analysis or of one of the others. No matrix is assembled.
+    /// Number of unknowns that the elements share and of closings of the ground, of the program of limit analysis or of one of the others. No matrix is assembled.
     pub fn unknowns(model: &AnalysisModel, limit: bool) -> Result<usize, ModelError> {
         let space = Tet10Space::new(&model.mesh);
         let shared = numbering(model, &space, limit)?.map.n;
-        let closing = |p: &ControlPoint| limit && p.crushing.is_some();
+        let closing = |p: &ControlPoint| p.closing.is_some_and(|c| c.is_part(limit));
         Ok(shared + control_points(model, &space).iter().filter(|p| closing(p)).count())
     }
 
@@ -175,11 +176,10 @@ impl Kinematic {
         let space = Tet10Space::new(&model.mesh);
         let slipping = matches!(kind, Kind::Limit(_) | Kind::AroundRigidBodies);
         let Numbering { pieces, slips, tied, mut map, rigid } = numbering(model, &space, slipping)?;
+        let limit = matches!(kind, Kind::Limit(_));
         let mut contacts = control_points(model, &space);
-        if !matches!(kind, Kind::Limit(_)) {
-            contacts.iter_mut().for_each(|p| p.crushing = None);
-        }
-        map.append_crushing(contacts.iter().filter(|p| p.crushing.is_some()).count());
+        contacts.iter_mut().for_each(|p| p.closing = p.closing.filter(|c| c.is_part(limit)));
+        map.append_closings(contacts.iter().filter(|p| p.closing.is_some()).count());
         let materials = model.stiffnesses();
         let radii = model.yield_radii();
         // yield radius and kind of element of each tet that may flow
@@ -191,7 +191,6 @@ impl Kinematic {
                 Kind::Limit(flow) => Some((radius, flow)),
             }
         };
-        let limit = matches!(kind, Kind::Limit(_));
         let rule = if !limit {
             Rule::Hencky
         } else if model.mesh.tets.len() <= FINE_RULE {
@@ -229,6 +228,10 @@ impl Kinematic {
                 }
             })
         })?;
+        let ground = elastic_ground::kinematic_entries(model, &space, &contacts, map.closings());
+        if !ground.is_empty() {
+            p = plus_entries(&p, ground);
+        }
         let split_nodes = if limit { BodyForceNodes::Flow } else { BodyForceNodes::Split };
         let force_nodes = |e: usize| match flow_of(e) {
             Some((_, Flow::Split)) => split_nodes,
@@ -276,14 +279,14 @@ impl Kinematic {
         };
         program.g.ncols = map.n;
         let mut points = Vec::new();
-        let (mut closings, mut next) = (Vec::new(), map.crushing());
+        let (mut closings, mut next) = (Vec::new(), map.closings());
         for mut point in contacts {
             if limit {
                 point.gap = 0.0;
             }
-            let (row, closing) = (program.g.nrows(), point.crushing.and_then(|_| next.next()));
+            let (row, closing) = (program.g.nrows(), point.closing.and_then(|_| next.next()));
             let moves = point.push_cone(&mut program, &map, closing);
-            closings.extend(point.crushing.map(|d| (moves.then_some(row), d)));
+            closings.extend(point.closing.map(|c| (moves.then_some(row), c)));
             if moves {
                 points.push(point);
             }

@@ -23,6 +23,7 @@ pub mod slip_face;
 pub mod static_form;
 mod static_mechanism;
 pub mod super_elements;
+pub mod symmetric_sum;
 pub mod tied_points;
 pub mod weld_face;
 pub mod yielding_elements;

@@ -11,12 +11,13 @@ use crate::elements::super_element::{PARAMETERS, SuperElement, TRACTIONS};
 use crate::mesh::TetMesh;
 use crate::mesh::numbering::FaceNumbering;
 use crate::model::ModelError;
-use crate::model::analysis::{AnalysisModel, BoundaryFace, FacePair};
+use crate::model::analysis::{AnalysisModel, BoundaryFace, FacePair, GroundContact};
 use crate::model::loads::Loads;
 use crate::programs::assemble::assemble;
 use crate::programs::conic::{ConicProgram, Csr};
 use crate::programs::constraints::{FacePoints, hold, working_live_loads};
-use crate::programs::contact::cone;
+use crate::programs::contact::cone::{self, Closing};
+use crate::programs::contact::elastic_ground;
 use crate::programs::contact::static_contact::ContactVertex;
 use crate::programs::contact::static_contact::contact_vertices;
 use crate::programs::contact_modes::{ContactMode, contact_modes};
@@ -24,6 +25,7 @@ use crate::programs::dofs::DofMap;
 use crate::programs::loads::static_forces;
 use crate::programs::rigid_motions::{self, RigidMotions, RigidPieces};
 use crate::programs::super_elements::SuperElements;
+use crate::programs::symmetric_sum::plus_entries;
 use crate::programs::tied_points::TiedPoints;
 use crate::programs::weld_face::{self, Jump};
 use crate::programs::yielding_elements::append;
@@ -123,8 +125,10 @@ impl<'a> Static<'a> {
     /// Number of the unknowns that elements share, see [`crate::programs::Kinematic::unknowns`].
     pub fn unknowns(model: &AnalysisModel, limit: bool) -> Result<usize, ModelError> {
         let shared = numbering(model, &FaceNumbering::new(&model.mesh), limit)?.1.n;
-        let crushing = model.ground.iter().filter(|g| limit && g.strength.is_some());
-        Ok(shared + 3 * crushing.map(|g| g.faces.len()).sum::<usize>())
+        let gives_way =
+            |g: &&GroundContact| if limit { g.strength.is_some() } else { g.stiffness.is_some() };
+        let ground = model.ground.iter().filter(gives_way);
+        Ok(shared + 3 * ground.map(|g| g.faces.len()).sum::<usize>())
     }
 
     /// Builds the elastic program: no body yields.
@@ -184,16 +188,20 @@ impl<'a> Static<'a> {
             (0..model.mesh.tets.len()).filter(|&e| !limit && radius(e).is_none()).collect();
         let yields = elastic.len() < model.mesh.tets.len();
         let mut contacts = contact_vertices(&elements);
-        if kind == Kind::Elastic {
-            contacts.iter_mut().for_each(|v| v.strength = None);
-        }
-        map.append_crushing(contacts.iter().filter(|v| v.strength.is_some()).count());
+        // the elastic, perfectly plastic program also corrects stresses of limit analysis
+        let part = |c: &Closing| kind == Kind::Plastic || c.is_part(limit);
+        contacts.iter_mut().for_each(|v| v.closing = v.closing.filter(part));
+        map.append_closings(contacts.iter().filter(|v| v.closing.is_some()).count());
         let mut p = assemble::<TRACTIONS, ModelError>(
             elastic.len(),
             &map,
             |i| elements.dofs(elastic[i]),
             |i| Ok(elements.element(elastic[i])?.stiffness()),
         )?;
+        let ground = elastic_ground::static_entries(model, &contacts, map.closings());
+        if !ground.is_empty() {
+            p = plus_entries(&p, ground);
+        }
         let mut loads = static_forces(&elements, &map, &rigid, counted);
         cuts::add_preload(model, &map, &mut loads);
         let mut q: Vec<f64> = loads.iter().map(|x| -x).collect();
@@ -223,7 +231,7 @@ impl<'a> Static<'a> {
             .collect();
         let stiffness = if yields {
             elastic_diagonal(&elements, &map)?
-        } else if !weld_faces.is_empty() || !map.crushing().is_empty() {
+        } else if !weld_faces.is_empty() || !map.closings().is_empty() {
             p.diagonal()
         } else {
             Vec::new()
@@ -232,14 +240,14 @@ impl<'a> Static<'a> {
         let mut program = ConicProgram { p, q, c, stiffness, ..ConicProgram::default() };
         program.g.ncols = map.n;
         let mut vertices = Vec::new();
-        let (mut closings, mut next) = (Vec::new(), map.crushing());
+        let (mut closings, mut next) = (Vec::new(), map.closings());
         for mut v in contacts {
             if limit {
                 v.gap = 0.0;
             }
-            let (row, closing) = (program.g.nrows(), v.strength.and_then(|_| next.next()));
+            let (row, closing) = (program.g.nrows(), v.closing.and_then(|_| next.next()));
             let moves = v.push_cone(&mut program, &map, closing);
-            closings.extend(v.crushing().map(|d| (moves.then_some(row), d)));
+            closings.extend(v.closing.map(|c| (moves.then_some(row), c)));
             if moves {
                 vertices.push(v);
             }

@@ -17,6 +17,7 @@ use crate::programs::dofs::DofMap;
 use crate::programs::kinematic::Kinematic;
 use crate::programs::static_form::Static;
 use crate::programs::super_elements::SuperElements;
+use crate::programs::symmetric_sum::plus_entries;
 use crate::recover::force_sets::{Within, cone_ranges};
 use crate::recover::interface_balance::{InterfaceBalance, absolute_work};
 use crate::recover::load_tractions::largest_traction;
@@ -188,29 +189,7 @@ pub(crate) fn plus_rows(p: &SymmetricCsc, g: &Csr, weight: impl Fn(usize) -> f64
             );
         }
     }
-    extra.sort_unstable_by_key(|e| (e.0, e.1));
-    let mut out = SymmetricCsc { n: p.n, col_ptr: vec![0], ..SymmetricCsc::default() };
-    let mut next = extra.into_iter().peekable();
-    for c in 0..p.n {
-        let mut k = p.col_ptr[c];
-        loop {
-            let row_p = (k < p.col_ptr[c + 1]).then(|| p.row_idx[k]);
-            let row_e = next.peek().filter(|e| e.0 == c).map(|e| e.1);
-            let Some(r) = [row_p, row_e].into_iter().flatten().min() else { break };
-            let mut v = 0.0;
-            if row_p == Some(r) {
-                v += p.values[k];
-                k += 1;
-            }
-            while next.peek().is_some_and(|e| e.0 == c && e.1 == r) {
-                v += next.next().map_or(0.0, |e| e.2);
-            }
-            out.row_idx.push(r);
-            out.values.push(v);
-        }
-        out.col_ptr.push(out.row_idx.len());
-    }
-    out
+    plus_entries(p, extra)
 }
 
 /// The stress field of a static solution, in equilibrium to rounding.
@@ -274,6 +253,8 @@ pub(crate) fn balance_elements(
         let mut residual: Vec<f64> = rhs.iter().zip(&t).map(|(a, b)| a - b).collect();
         // the tension of a frozen cut is given and is not balanced
         map.frozen.iter().for_each(|&(k, _)| residual[k] = 0.0);
+        // the closings of elastic ground follow from its tractions
+        residual[map.closings()].fill(0.0);
         let size = residual.iter().fold(0.0f64, |m, x| m.max(x.abs()));
         if size == 0.0 || size > 0.3 * last {
             break;

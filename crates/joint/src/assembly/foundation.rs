@@ -22,4 +22,6 @@ pub struct Foundation {
     pub grout_strength: Nominal,
     /// Coefficient of friction C_f,d between plate and grout.
     pub friction: f64,
+    /// True where the ground does not settle in elastic and elastoplastic analysis.
+    pub rigid: bool,
 }

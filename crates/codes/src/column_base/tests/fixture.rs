@@ -47,6 +47,7 @@ pub(in crate::column_base) fn base() -> ColumnBase {
         plate,
         offset: 0.0,
         foundation: Foundation {
+            rigid: false,
             f_ck: Nominal::new(12.0),
             plate,
             edge: [[255.0; 2]; 2],

@@ -44,10 +44,11 @@ pub(super) fn supports(
         match (entry.law, entry.fix.is_empty()) {
             (None, false) => {
                 let of_ground = [entry.mu.is_some(), entry.gap.is_some(), entry.friction.is_some()];
-                if of_ground.contains(&true) || entry.strength.is_some() {
+                let gives_way = entry.strength.or(entry.stiffness).is_some();
+                if of_ground.contains(&true) || gives_way {
                     let m = format!(
-                        "`mu`, `gap`, `friction` and `strength` have no effect on the fixed face \
-                         `{name}`"
+                        "`mu`, `gap`, `friction`, `strength` and `stiffness` have no effect on the \
+                         fixed face `{name}`"
                     );
                     faults.add(
                         "model/support",
@@ -66,8 +67,9 @@ pub(super) fn supports(
                     let nodes =
                         faces.iter().map(|f| face_nodes(&scene.mesh.tets[f.tet as usize], f.local));
                     check_gap(&law.gap, &name, &path, scene, nodes, faults);
-                    let strength = crushing_strength(entry, &path, file.analysis, faults, notes);
-                    ground.push(GroundContact { name, law, strength, faces });
+                    let [strength, stiffness] =
+                        giving_way(entry, &path, file.analysis, faults, notes);
+                    ground.push(GroundContact { name, law, strength, stiffness, faces });
                 }
             }
             (Some(Law::Contact), false) | (None, true) => {
@@ -93,30 +95,39 @@ pub(super) fn supports(
     (supports, ground)
 }
 
-/// Reads `strength` of a contact with the ground; none in analyses other than limit analysis.
-fn crushing_strength(
+/// Reads `strength` and `stiffness` of a contact with the ground. The strength counts in limit
+/// analysis, the stiffness in the others.
+fn giving_way(
     entry: &SupportEntry,
     path: &str,
     analysis: AnalysisKind,
     faults: &mut Faults<'_>,
     notes: &mut Vec<Text>,
-) -> Option<f64> {
-    let strength = entry.strength?;
-    if !(strength.is_finite() && strength > 0.0) {
-        let m = format!("the strength of the ground under `{}` is {strength} MPa", entry.face);
+) -> [Option<f64>; 2] {
+    let positive = |value: Option<f64>| value.filter(|v| v.is_finite() && *v > 0.0);
+    let (strength, stiffness) = (positive(entry.strength), positive(entry.stiffness));
+    if let (Some(x), None) = (entry.strength, strength) {
+        let m = format!("the strength of the ground under `{}` is {x} MPa", entry.face);
         let next = "write the pressure at which the ground crushes, > 0 MPa, or remove `strength` \
                     for rigid ground";
         faults.add("model/support", &format!("{path}.strength"), m, next);
-        return None;
     }
-    if analysis != AnalysisKind::Limit {
+    if let (Some(x), None) = (entry.stiffness, stiffness) {
+        let m = format!("the stiffness of the ground under `{}` is {x} N/mm³", entry.face);
+        let next = "write the pressure per millimetre of settlement, > 0 N/mm³, or remove \
+                    `stiffness` for rigid ground";
+        faults.add("model/support", &format!("{path}.stiffness"), m, next);
+    }
+    if analysis == AnalysisKind::Limit {
+        return [strength, None];
+    }
+    if strength.is_some() && stiffness.is_none() {
         notes.push(say!(
             "the ground under {} is rigid here: its strength counts in limit analysis only",
             entry.face.clone()
         ));
-        return None;
     }
-    Some(strength)
+    [None, stiffness]
 }
 
 /// Reads `rigid`.

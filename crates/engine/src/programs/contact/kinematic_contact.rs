@@ -10,7 +10,7 @@ use crate::model::analysis::AnalysisModel;
 use crate::model::loads::{face_corners, face_nodes};
 use crate::model::opening::Bernstein;
 use crate::programs::conic::ConicProgram;
-use crate::programs::contact::cone;
+use crate::programs::contact::cone::{self, Closing};
 use crate::programs::dofs::DofMap;
 use bracket_base::math::vec3::{self, V3};
 use std::collections::BTreeMap;
@@ -33,9 +33,9 @@ pub struct ControlPoint {
     pub a: [usize; 3],
     /// Nodes on side B; `None`: rigid ground.
     pub b: Option<[usize; 3]>,
-    /// Dissipation per unit of closing of the ground, where it crushes: the strength times the
-    /// integral of the Bernstein polynomials of the point \[N\].
-    pub crushing: Option<f64>,
+    /// Closing of ground that gives way; the dissipation of crushing ground is its strength times
+    /// the integral of the Bernstein polynomials of the point.
+    pub closing: Option<Closing>,
     /// True for an edge: the coefficient is `2 u_mid − ½ (u_i + u_j)`.
     pub edge: bool,
 }
@@ -73,7 +73,7 @@ impl ControlPoint {
     }
 
     /// Appends the contact cone of the point to a program; false when nothing of it can move.
-    /// `closing`: the unknown of the closing of the ground, where it crushes.
+    /// `closing`: the unknown of the closing of the ground, where it gives way.
     pub fn push_cone(
         &self,
         program: &mut ConicProgram,
@@ -92,8 +92,8 @@ impl ControlPoint {
             }
             full
         };
-        let closing = closing.map(|k| (k, 1.0));
-        cone::push_cone(program, map, (self.normal, self.mu, self.gap), closing, jump)
+        let closing: Vec<_> = closing.map(|k| (k as u32, 1.0)).into_iter().collect();
+        cone::push_cone(program, map, (self.normal, self.mu, self.gap), &closing, jump)
     }
 }
 
@@ -117,8 +117,9 @@ pub fn points_of_faces(model: &AnalysisModel, space: &Tet10Space) -> Vec<[Contro
         .enumerate()
         .map(|(face, (contact, corners, a, b))| {
             let law = model.contact_law(contact);
-            let strength = model.crushing_strength(contact);
-            let law = (law.mu, strength, model.opening(face, law, &corners));
+            let area = vec3::norm(vec3::area_vector(&corners));
+            let closing = cone::closing_of(model, contact, area / 6.0);
+            let law = (law.mu, closing, model.opening(face, law, &corners));
             points_of_face(contact, law, &corners, a, b)
         })
         .collect()
@@ -130,9 +131,9 @@ pub fn control_points(model: &AnalysisModel, space: &Tet10Space) -> Vec<ControlP
     let mut points: Vec<ControlPoint> = Vec::new();
     for point in points_of_faces(model, space).into_iter().flatten() {
         let at = *place.entry(point.key()).or_insert(points.len());
-        match (points.get_mut(at).map(|p| &mut p.crushing), point.crushing) {
+        match (points.get_mut(at).map(|p| &mut p.closing), point.closing) {
             (None, _) => points.push(point),
-            (Some(Some(sum)), Some(more)) => *sum += more,
+            (Some(Some(Closing::Crushing(sum))), Some(Closing::Crushing(more))) => *sum += more,
             (Some(_), _) => {}
         }
     }
@@ -141,7 +142,7 @@ pub fn control_points(model: &AnalysisModel, space: &Tet10Space) -> Vec<ControlP
 
 fn points_of_face(
     contact: usize,
-    (mu, strength, opening): (f64, Option<f64>, Bernstein),
+    (mu, closing, opening): (f64, Option<Closing>, Bernstein),
     corners: &[V3; 3],
     a: [usize; 6],
     b: Option<[usize; 6]>,
@@ -160,7 +161,7 @@ fn points_of_face(
             gap: opening[i],
             a: pick(a),
             b: b.map(pick),
-            crushing: strength.map(|f| f * size / 6.0),
+            closing,
             edge: i >= 3,
         }
     })

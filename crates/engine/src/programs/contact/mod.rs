@@ -4,5 +4,6 @@
 //! the static program one at each vertex of a contact face.
 
 pub mod cone;
+pub mod elastic_ground;
 pub mod kinematic_contact;
 pub mod static_contact;

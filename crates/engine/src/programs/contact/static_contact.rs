@@ -7,7 +7,7 @@ use crate::model::analysis::ContactLaw;
 use crate::model::loads::{face_corners, face_nodes};
 use crate::model::opening::bernstein_at;
 use crate::programs::conic::ConicProgram;
-use crate::programs::contact::cone;
+use crate::programs::contact::cone::{self, Closing};
 use crate::programs::dofs::DofMap;
 use crate::programs::super_elements::SuperElements;
 use bracket_base::math::quadrature::{TRIANGLE_4, triangle_mass};
@@ -30,8 +30,8 @@ pub struct ContactVertex {
     pub index: usize,
     /// Area of the face \[mm²\].
     pub area: f64,
-    /// Strength of the ground, where it crushes \[MPa\].
-    pub strength: Option<f64>,
+    /// Closing of ground that gives way.
+    pub closing: Option<Closing>,
     /// `∫ φ_a (g₀ + s)` with the shift s of the cone, zero without one \[mm³\].
     pub gap: f64,
 }
@@ -42,23 +42,20 @@ impl ContactVertex {
         (self.contact, self.a, self.index) == (other.contact, other.a, other.index)
     }
 
-    /// Dissipation per unit of closing of the ground, where it crushes \[N\].
-    pub fn crushing(&self) -> Option<f64> {
-        self.strength.map(|f| f * self.area / 3.0)
-    }
-
     /// Appends the contact cone of the vertex to a program; false when nothing of it can move.
-    /// `closing`: the unknown of the closing of the ground, where it crushes.
+    /// `closing`: the unknown of the closing of the ground, where it gives way. Closings of the
+    /// vertices of a face follow one another.
     pub fn push_cone(
         &self,
         program: &mut ConicProgram,
         map: &DofMap,
         closing: Option<usize>,
     ) -> bool {
+        let mass = |b: usize| triangle_mass(self.index, b) * self.area;
         let jump = |n: V3, factor: f64| {
             let mut full = Vec::new();
             for b in 0..3 {
-                let w = factor * triangle_mass(self.index, b) * self.area;
+                let w = factor * mass(b);
                 for d in 0..3 {
                     if let Some(side) = self.b {
                         full.push((side[b] + d, w * n[d]));
@@ -68,8 +65,15 @@ impl ContactVertex {
             }
             full
         };
-        let closing = closing.map(|k| (k, self.area / 3.0));
-        cone::push_cone(program, map, (self.normal, self.mu, self.gap), closing, jump)
+        let closings = match (closing, self.closing) {
+            (Some(k), Some(Closing::Crushing(_))) => vec![(k as u32, self.area / 3.0)],
+            // mass-weighted as the jump is
+            (Some(k), Some(Closing::Elastic)) => {
+                (0..3).map(|b| ((k - self.index + b) as u32, mass(b))).collect()
+            }
+            _ => Vec::new(),
+        };
+        cone::push_cone(program, map, (self.normal, self.mu, self.gap), &closings, jump)
     }
 }
 
@@ -93,8 +97,18 @@ pub fn contact_vertices(elements: &SuperElements) -> Vec<ContactVertex> {
                 .map(|(l, w)| w * area * l[index] * bernstein_at(&opening, *l))
                 .sum();
             let normal = vec3::scale(1.0 / area, vector);
-            let (mu, strength) = (law.mu, model.crushing_strength(contact));
-            out.push(ContactVertex { contact, normal, mu, a, b, index, area, strength, gap });
+            let closing = cone::closing_of(model, contact, area / 3.0);
+            out.push(ContactVertex {
+                contact,
+                normal,
+                mu: law.mu,
+                a,
+                b,
+                index,
+                area,
+                closing,
+                gap,
+            });
         }
     };
     for (contact, interface) in model.interfaces.iter().enumerate() {

@@ -151,5 +151,6 @@ fn foundation(at: &str, scope: &Scope, e: &GroundEntry) -> Result<Foundation, As
         grout: no_less("grout", &e.grout)?,
         grout_strength: Nominal::new(number("grout_strength", &e.grout_strength, " MPa")?),
         friction,
+        rigid: e.rigid.as_ref().map_or(Ok(false), |r| within(at, scope.truth(r)))?,
     })
 }

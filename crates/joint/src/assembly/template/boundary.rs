@@ -119,6 +119,9 @@ pub struct GroundEntry {
     pub grout_strength: Expr,
     /// Coefficient of friction C_f,d between plate and grout.
     pub friction: Expr,
+    /// True where the ground does not settle in elastic and elastoplastic analysis; absent: it has
+    /// the stiffness that the design code gives it.
+    pub rigid: Option<Expr>,
 }
 
 /// The reaction to shear and torsion of a plate that lies in x and y: tractions on its four edges,
