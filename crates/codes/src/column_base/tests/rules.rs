@@ -226,23 +226,26 @@ fn every_rule_a_second_time() {
             welds += 1;
         }
 
-        // Table 6.11 and 6.12, one side pulled and one pressed
+        // Table 6.11 and 6.12: a bar on two springs under N and M, the rotation by Cramer's rule
         let stiff = find(CheckId::InitialStiffness).next();
-        let pulled = !both_pressed && (n <= 0.0 || m.abs() > n * z_of(&e, side));
-        if let (true, Some(stiff)) = (pulled, stiff) {
-            let (m_row, l1, pries, _) = tension(&e, side);
-            let f_ck = e.foundation.f_ck.mpa();
-            let e_c = 22_000.0 * ((f_ck + 8.0) / 10.0).powf(0.3);
-            let k13 = e_c * compression(&e, -side).1.sqrt() / (1.275 * E);
-            let (a, b) = if pries { (0.85, 1.6) } else { (0.425, 2.0) };
-            let k15 = a * l1 * e.thickness.powi(3) / m_row.powi(3);
-            let k16 = b * AS / e.elastic_length;
-            let k_t = k15 * k16 / (k15 + k16);
-            let z_t = z_of(&e, side);
-            let e_k = (z_c * k13 - z_t * k_t) / (k_t + k13);
-            let z = z_t + z_c;
-            let of_moment = m.abs() / (m.abs() + n * e_k);
-            let want = E * z * z * k_t * k13 / (k_t + k13) * of_moment;
+        if let Some(stiff) = stiff {
+            let e_c = 22_000.0 * ((e.foundation.f_ck.mpa() + 8.0) / 10.0).powf(0.3);
+            let pressed = |side: f64| e_c * compression(&e, side).1.sqrt() / (1.275 * E);
+            let pulled = |side: f64| {
+                let (m_row, l1, pries, _) = tension(&e, side);
+                let (a, b) = if pries { (0.85, 1.6) } else { (0.425, 2.0) };
+                let k15 = a * l1 * e.thickness.powi(3) / m_row.powi(3);
+                let k16 = b * AS / e.elastic_length;
+                k15 * k16 / (k15 + k16)
+            };
+            let lifted = n > 0.0 && m.abs() <= n * z_of(&e, side);
+            let (k1, x1) =
+                if both_pressed { (pressed(side), z_c) } else { (pulled(side), z_of(&e, side)) };
+            let (k2, x2) =
+                if lifted { (pulled(-side), -z_of(&e, -side)) } else { (pressed(-side), -z_c) };
+            let [s0, s1, s2] = [0, 1, 2].map(|i| E * (k1 * x1.powi(i) + k2 * x2.powi(i)));
+            let rotation = (s0 * m.abs() - s1 * n) / (s0 * s2 - s1 * s1);
+            let want = m.abs() / rotation;
             near("S_j,ini", Some(stiff), want);
             near("L_c", find(CheckId::BaseRigidLength).next(), 30.0 * E * s.inertia / want);
             springs += 1;
