@@ -100,6 +100,9 @@ pub fn check_spec(
     let log = Log::new(quiet);
     input.catalog.warnings().iter().for_each(|w| log.line(catalog_warning(w)));
     report_detailing(&judged.result.checks, &log);
+    if input.spec.value.polygon.is_some() {
+        log.line("the capacity polygon is found by finite elements: `bracket run` draws it");
+    }
     let folder = ResultFolder::begin(folder)?;
     interrupt.begin_short(folder.give_up());
     input.store(&folder)?;

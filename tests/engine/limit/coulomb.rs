@@ -116,7 +116,8 @@ fn wedged_block() {
 
 /// Stacks of two blocks: the estimate lies between its bounds.
 fn stacks(seeds: std::ops::Range<u64>) {
-    let (mut found, mut apart, mut not_reached) = (0, 0, Vec::new());
+    let count = seeds.end - seeds.start;
+    let (mut found, mut apart, mut not_reached) = (0_u64, 0, Vec::new());
     for seed in seeds {
         let Some(m) = assembly(seed).map(under_coulomb).filter(AnalysisModel::has_coulomb_friction)
         else {
@@ -160,12 +161,18 @@ fn stacks(seeds: std::ops::Range<u64>) {
         "{found} estimates, {apart} of them more than 1 % below the upper bound; not reached: \
          {not_reached:#?}"
     );
-    assert!(found >= 20 && not_reached.len() * 10 <= found, "{not_reached:#?}");
+    assert!(3 * found >= count && not_reached.len() as u64 * 10 <= found, "{not_reached:#?}");
 }
 
 #[test]
 fn random_stacks() {
-    stacks(0..60);
+    stacks(0..30);
+}
+
+#[test]
+#[ignore = "heavy: a minute"]
+fn more_random_stacks() {
+    stacks(30..90);
 }
 
 /// An estimate is computed only on request, and only for limit analysis under Coulomb's law.

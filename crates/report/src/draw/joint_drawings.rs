@@ -1,11 +1,12 @@
 //! Drawings and further files of a joint, by family of connections.
 
 use super::moment_rotation::Frame;
-use super::{drawing, dxf, moment_axial, parts_drawing};
+use super::{base_drawing, drawing, dxf, moment_axial, parts_drawing};
 use crate::document::picture::PictureRef;
 use crate::words::Words;
 use bracket_base::say;
-use bracket_codes::check::number;
+use bracket_codes::check::{Unit, number};
+use bracket_codes::column_base;
 use bracket_codes::end_plate::stocked_length;
 use bracket_joint::assembly::{ColumnBase, Content, EndPlate, Facts};
 use bracket_joint::spec::connection::Language;
@@ -53,9 +54,17 @@ impl JointDrawings {
     }
 
     fn of_base(e: &ColumnBase, content: &Content, language: Language) -> Self {
-        let mut out = Self::of_parts(content, Some(e.hole), language);
-        if let Some(mut diagram) = bracket_codes::column_base::moment_axial(e) {
-            let caption = "Moment and axial force that the base carries by the code";
+        let caption = "Elevation and plan of the base";
+        let mut out = Self {
+            pictures: vec![base_drawing::views(e, content).picture("drawing.svg", caption)],
+            ..Self::of_parts(content, Some(e.hole), language)
+        };
+        if let Some(mut diagram) = column_base::moment_axial(e) {
+            let caption = say!(
+                "Moment and axial force that the base carries by the code. With My = 0 exactly it \
+                 carries N = −{} by 6.2.5, which also counts the area under the web",
+                Unit::Force.show(column_base::axial_resistance(e))
+            );
             let drawn = moment_axial::drawing(&diagram);
             out.pictures.push(drawn.picture("moment_axial.svg", caption));
             out.axial_moment = diagram.curves.pop().map(|c| c.border);

@@ -1,6 +1,7 @@
 //! Drawings, plots and pictures.
 
 pub mod axes;
+mod base_drawing;
 pub mod canvas;
 pub mod contact_map;
 pub mod drawing;

@@ -13,9 +13,9 @@ use bracket_joint::assembly::content::{Extent, union};
 /// Largest height and width of a view on the page \[pixels\].
 const SIZE: [f64; 2] = [360.0, 380.0];
 const MARGIN: f64 = 24.0;
-const STEEL: &str = "#eef1f4";
-const PLATE: &str = "#dfe5ea";
-const BOLT: &str = "#c9d3dc";
+pub(super) const STEEL: &str = "#eef1f4";
+pub(super) const PLATE: &str = "#dfe5ea";
+pub(super) const BOLT: &str = "#c9d3dc";
 const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// The views.
@@ -200,7 +200,7 @@ impl View {
 }
 
 /// Members, plates and bolts in words.
-fn legend(joint: &Content) -> Vec<Text> {
+pub(super) fn legend(joint: &Content) -> Vec<Text> {
     let mut out: Vec<Text> = Vec::new();
     for m in &joint.members {
         let line = say!("{}: {} {}", &m.label, &m.profile, &m.steel);

@@ -67,6 +67,15 @@ fn grout_that_the_code_does_not_know_is_undecided() {
 }
 
 #[test]
+fn friction_beyond_that_of_mortar_is_noted() {
+    let mut e = base();
+    assert!(base_checks(&e).notes.is_empty());
+    e.foundation.friction = 0.35;
+    let notes: Vec<String> = base_checks(&e).notes.iter().map(ToString::to_string).collect();
+    assert!(notes.len() == 1 && notes[0].contains("C_f,d = 0.35"), "{notes:?}");
+}
+
+#[test]
 fn an_anchorage_that_nobody_checked_is_undecided() {
     let status = |checked: bool, of: [f64; 3]| {
         let e = ColumnBase { anchorage_checked: checked, ..base() };
