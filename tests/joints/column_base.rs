@@ -142,6 +142,32 @@ fn shear_leaves_the_plate_at_its_edges() {
     assert!(low > 2.2 && up < 2.75, "[{low}, {up}]");
 }
 
+/// Ribs are part of the column and welded to the plate; no check knows them, and they need a flat
+/// wall.
+#[test]
+fn ribs_are_in_the_geometry_and_open_by_code() {
+    let load = "N: -400 kN, My: 30 kN m";
+    let ribbed = base("thickness: 20", "ribs: true, rib_weld: 6, rib_length: 60", load);
+    let Some(Facts::ColumnBase(e)) = &ribbed.facts else { panic!("{:?}", ribbed.facts) };
+    assert!(!e.not_checked.is_empty(), "the rib is seen");
+    let open = joint_checks(&ribbed).checks.into_iter().any(|c| c.status == Status::Undecided);
+    assert!(open);
+    let (file, mesh) = model(&ribbed, 3.0, false, AnalysisKind::Elastic);
+    let welds = file.interfaces.iter().filter(|i| i.law == Law::Weld || i.law == Law::Tied);
+    assert!(welds.count() >= 2, "{:#?}", file.interfaces);
+    // 90 mm high and 60 mm long, less the sloping edge from (15, 90) to (60, 15)
+    let thick = 15.0;
+    let area = 60.0 * 90.0 - 0.5 * 45.0 * 75.0;
+    let plain = model(&base("thickness: 20", "", load), 3.0, false, AnalysisKind::Elastic).1;
+    let column = |m: &bracket::mesh::TetMesh| -> f64 {
+        let body = m.bodies.iter().position(|b| b == "COLUMN").expect("the column") as u32;
+        let own = (0..m.tets.len()).filter(|&e| m.tet_body[e] == body);
+        own.map(|e| m.volume(e)).sum()
+    };
+    let more = column(&mesh) - column(&plain);
+    assert!((more / (2.0 * area * thick) - 1.0).abs() < 1e-3, "{more} mm³");
+}
+
 /// A hollow column: its base is pressed on the frame or ring within c of its walls, and no check
 /// knows how it bends; the weld round it and the column are checked.
 #[test]

@@ -105,6 +105,37 @@ fn agrees_with_clarabel() {
     }
 }
 
+/// A block on a foot, tied to one half of it and welded to the other. At the edge between both
+/// halves the points of the weld share the unknown of the normal velocity.
+///
+/// ```text
+///    ↑ ↗
+///  [   B   ]
+///  ====-----   = tie, - weld
+///  [   A   ]
+///  /////////
+/// ```
+#[test]
+fn a_weld_beside_a_tie() {
+    let max = [40.0, 20.0, 24.0];
+    let shape = Block { cells: [4, 1, 2], min: [0.0; 3], max, jitter: 0.1, seed: 1 };
+    let flat = |d: usize, x: f64| d != 1 && (x - 0.5 * max[d]).abs() < 1e-9;
+    let mut mesh = shape.mesh(&["A", "B"], |c| usize::from(c[2] > 12.0), flat);
+    name(&mut mesh, "SEAM", "B", |p| p[2] == 12.0 && p[0] >= 20.0);
+    let m = model(
+        "bodies: {A: s, B: s}\ninterfaces:\n- {between: [A, B], face: SEAM, law: weld, \
+         strength_traction: 90}\nsupports:\n- {face: Z0, fix: [x, y, z]}\nloads:\n- {face: Z1, \
+         traction: [40, 10, 60]}\n",
+        mesh,
+    );
+    assert_eq!((m.ties.len(), m.welds.len()), (1, 1));
+    let pass = run(&m);
+    let (low, up) = (pass.lower.as_ref().unwrap(), pass.upper.as_ref().unwrap());
+    assert!(low.is_strict() && up.is_strict() && low.value() <= up.value());
+    let k = Kinematic::limit(&m, Flow::Split).unwrap();
+    oracle::agree("weld beside a tie", &k.program, &k.map.block);
+}
+
 /// Random stacks of two tied blocks. With the slip the upper bound is at most that without it, and
 /// at least the lower bound.
 #[test]

@@ -123,13 +123,18 @@ impl DofMap {
         r
     }
 
-    /// The columns of an element with the given full unknowns.
+    /// The columns of an element with the given full unknowns, each unknown once.
     pub fn columns(&self, dofs: &[usize]) -> Columns {
-        // motions of rigid faces move several full unknowns at once
+        // motions of rigid faces move several full unknowns at once, and both sides of a tie have one
         let single = |d: &usize| self.terms(*d).is_empty() || self.own(*d).is_some();
         if dofs.iter().all(single) {
             let unknown = |d: &usize| self.terms(*d).first().map_or(NONE, |t| t.0);
-            return Columns { unknowns: dofs.iter().map(unknown).collect(), terms: None };
+            let unknowns: Vec<u32> = dofs.iter().map(unknown).collect();
+            let mut sorted: Vec<u32> = unknowns.iter().copied().filter(|u| *u != NONE).collect();
+            sorted.sort_unstable();
+            if sorted.windows(2).all(|w| w[0] != w[1]) {
+                return Columns { unknowns, terms: None };
+            }
         }
         let mut unknowns: Vec<u32> =
             dofs.iter().flat_map(|d| self.terms(*d)).map(|t| t.0).collect();
@@ -161,5 +166,23 @@ impl DofMap {
         }
         merged.retain(|t| t.1.abs() > 1e-13 * largest);
         merged
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two full unknowns that are one, as on both sides of a tie, are one column: their forces on
+    /// it cancel.
+    #[test]
+    fn a_shared_unknown_is_one_column() {
+        let combinations = vec![vec![(0, 1.0)], vec![(0, 1.0)], vec![(1, 1.0)], vec![]];
+        let columns = DofMap::new(combinations, 2, vec![0, 1]).columns(&[0, 1, 2, 3]);
+        assert_eq!(columns.unknowns, [0, 1]);
+        assert_eq!(columns.row(&[2.0, -2.0, 5.0, 7.0]), [0.0, 5.0]);
+        let apart = vec![vec![(0, 1.0)], vec![(1, 1.0)], vec![]];
+        let columns = DofMap::new(apart, 2, vec![0, 1]).columns(&[0, 1, 2]);
+        assert_eq!(columns.unknowns, [0, 1, NONE]);
     }
 }
