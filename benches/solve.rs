@@ -5,7 +5,7 @@
 //! whole solve, and the time of one factorisation and two solves of the same matrix in the same
 //! run. It also prints the ratio Y = solve ÷ (iterations × (one factorisation + two solves)).
 
-use bracket::checks::design_code::design_strengths;
+use bracket::checks::design_strengths;
 use bracket::elements::hencky_kinematic::Flow;
 use bracket::mesh::gmsh::Mesher;
 use bracket::meshing::joint::{MeshOptions, mesh_joint};

@@ -40,7 +40,7 @@ use bracket::assembly::assembly::{
 };
 use bracket::certify::limit_certificate::dissipation_densities;
 use bracket::certify::velocity_field::pieces;
-use bracket::checks::design_code::design_strengths;
+use bracket::checks::design_strengths;
 use bracket::elements::geometry::centroid;
 use bracket::elements::space::Tet10Space;
 use bracket::elements::tet10;

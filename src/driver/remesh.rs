@@ -5,7 +5,7 @@ use crate::driver::interrupt::Interrupt;
 use crate::driver::meshing::{clean, quality_table};
 use bracket_base::diag::{Diagnostic, Diagnostics, Place};
 use bracket_base::math::mandel::Mandel;
-use bracket_codes::design_code::design_strengths;
+use bracket_codes::design_strengths;
 use bracket_engine::mesh::gmsh::Until;
 use bracket_engine::mesh::mmg::Remesher;
 use bracket_engine::mesh::size_field::{Edges, FILLING, SizeField};

@@ -7,7 +7,7 @@ use crate::driver::interrupt::Interrupt;
 use crate::driver::remesh::{ByMap, Places, Remesh, remesher};
 use crate::driver::spec_file::SpecFile;
 use bracket_base::diag::Diagnostics;
-use bracket_codes::design_code::design_strengths;
+use bracket_codes::design_strengths;
 use bracket_engine::certify::half_space::Actions;
 use bracket_engine::mesh::TetMesh;
 use bracket_engine::model::AnalysisKind;

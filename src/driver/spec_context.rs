@@ -8,7 +8,7 @@ use bracket_base::say;
 use bracket_base::words::Text;
 use bracket_base::yaml;
 use bracket_codes::check::number;
-use bracket_codes::design_code::design_strengths;
+use bracket_codes::design_strengths;
 use bracket_codes::end_plate::{parts_list, welds_list};
 use bracket_codes::{HandChecks, joint_checks};
 use bracket_joint::assembly::assembly::{FaceSupport, Part, Surface};

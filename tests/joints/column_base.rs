@@ -46,7 +46,7 @@ fn the_checks_know_all_of_a_base() {
 fn the_model_stands_on_concrete() {
     let joint = base("thickness: 30", "", "N: -400 kN, My: 30 kN m");
     let f_jd = 2.0 / 3.0 * (1.0 + 600.0 / 360.0) * 25.0 / 1.5;
-    let c = 30.0 * (235.0 / (3.0 * f_jd)).sqrt();
+    let c = 30.0 * (235.0_f64 / (3.0 * f_jd)).sqrt();
     let area = 260.0 * (15.0 + 2.0 * c);
     let settles = 22e3 * 3.3f64.powf(0.3) / (1.275 * area.sqrt());
     for kind in [AnalysisKind::Limit, AnalysisKind::Elastic] {

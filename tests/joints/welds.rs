@@ -6,7 +6,7 @@ use bracket::analysis::event::silent;
 use bracket::analysis::limit;
 use bracket::analysis::pass::PassOptions;
 use bracket::certify::welds::demands;
-use bracket::checks::design_code::design_strengths;
+use bracket::checks::design_strengths;
 use bracket::diag::Place;
 use bracket::model::AnalysisKind;
 use bracket::model::file::{Law, ModelFile};

@@ -32,5 +32,5 @@ pub use end_plate::{Comparison, HandChecks, JointStiffness, MomentAxial, PureMom
 pub use error::CheckError;
 pub use judgement::{Analysed, Governing, Judgement, judge};
 pub use simple_joint::simple_checks;
-pub use whole_joint::joint_checks;
+pub use whole_joint::{design_strengths, joint_checks};
 pub use worked::Worked;

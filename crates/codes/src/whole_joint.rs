@@ -1,7 +1,7 @@
-//! The checks of a whole joint: those of its end plates, and what its load cases need besides.
+//! The checks and design strengths of a whole joint.
 
 use super::check::{Check, Topic};
-use super::column_base::base_checks;
+use super::column_base::{base_checks, ground_stiffness};
 use super::cover_splice::splice_checks;
 use super::end_plate::{HandChecks, hand_checks};
 use super::simple_joint::simple_checks;
@@ -11,6 +11,7 @@ use crate::design_code::DesignCode;
 use crate::formula::Traced;
 use crate::subject::Part;
 use bracket_joint::assembly::{Facts, Idle, Joint};
+use bracket_joint::strength::DesignStrengths;
 
 /// The hand checks of a joint, with those of the load cases in which nothing acts.
 pub fn joint_checks(joint: &Joint) -> HandChecks {
@@ -25,6 +26,17 @@ pub fn joint_checks(joint: &Joint) -> HandChecks {
     out.serviceability.extend(service.map(|i| i.case.clone()));
     out.neglected.clone_from(&joint.neglected);
     out
+}
+
+/// Design strengths of a joint by the code by which it was built, with the stiffness of the ground
+/// under a column base.
+pub fn design_strengths(joint: &Joint) -> DesignStrengths {
+    let mut strengths = DesignCode::of(joint).strengths(&joint.assembly);
+    if let Some(Facts::ColumnBase(base)) = &joint.facts {
+        let stiffness = (!base.foundation.rigid).then(|| ground_stiffness(base));
+        strengths.ground.values_mut().for_each(|bearing| bearing.stiffness = stiffness);
+    }
+    strengths
 }
 
 /// The hand checks of a family of connections by EN 1993.

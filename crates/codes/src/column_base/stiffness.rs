@@ -12,8 +12,8 @@ use crate::worked::Worked;
 use bracket_joint::assembly::{ColumnBase, PlaneActions};
 
 /// Pressure per settlement of the concrete under a base \[N/mm³\]: that of the spring k_13 over its
-/// area, `E_c / (1.275 √A)`. A is the area under one flange, the mean of both on an eccentric plate,
-/// and half of the whole area under a hollow section.
+/// area, `E_c / (1.275 √A)`. A is the area under one flange, the mean of both on an eccentric
+/// plate, and half of the whole area under a hollow section.
 ///
 /// # Source
 /// EN 1993-1-8:2005 6.3.4 with Table 6.11: k_13 = E_c √(b_eff l_eff)/(1.275 E).

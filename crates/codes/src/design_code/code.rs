@@ -1,13 +1,12 @@
 //! A design code with its partial factors.
 
-use crate::column_base::ground_stiffness;
 use crate::eurocode::bolts::shank_strength;
 use crate::eurocode::concrete;
 use crate::eurocode::grip;
 use crate::eurocode::welds::shear_strength;
 use crate::eurocode::yielding::{net_strength, yield_strength};
 use bracket_joint::assembly::assembly::Grip;
-use bracket_joint::assembly::{Assembly, Facts, Foundation, Joint};
+use bracket_joint::assembly::{Assembly, Foundation, Joint};
 use bracket_joint::spec::code::{Edition, PartialFactors};
 use bracket_joint::strength::{
     Bearing, BoltLimits, BoltShank, Design, DesignStrengths, Nominal, NominalStrength, WeldSteel,
@@ -93,7 +92,8 @@ impl DesignCode {
         }
     }
 
-    /// Design strengths of all materials and welds of an assembly, and resistances of its bolts.
+    /// Design strengths of all materials and welds of an assembly, and resistances of its bolts. Its
+    /// ground does not settle.
     pub fn strengths(&self, assembly: &Assembly) -> DesignStrengths {
         let each = assembly.materials.iter();
         let materials: BTreeMap<String, Option<Design>> =
@@ -118,14 +118,4 @@ impl DesignCode {
             bolts: grips.map(|g| (g.part.clone(), self.bolt_limits(g))).collect(),
         }
     }
-}
-
-/// Design strengths of a joint by the code by which it was built.
-pub fn design_strengths(joint: &Joint) -> DesignStrengths {
-    let mut strengths = DesignCode::of(joint).strengths(&joint.assembly);
-    if let Some(Facts::ColumnBase(base)) = &joint.facts {
-        let stiffness = (!base.foundation.rigid).then(|| ground_stiffness(base));
-        strengths.ground.values_mut().for_each(|bearing| bearing.stiffness = stiffness);
-    }
-    strengths
 }

@@ -6,7 +6,7 @@ mod factors;
 mod values;
 
 pub use built::{build, build_from};
-pub use code::{DesignCode, design_strengths};
+pub use code::DesignCode;
 
 #[cfg(test)]
 mod tests;

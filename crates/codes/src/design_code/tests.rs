@@ -1,6 +1,6 @@
 //! Tests of the design code: strengths by hand, factors of a spec, and notes on its grades.
 
-use super::{DesignCode, build, design_strengths};
+use super::{DesignCode, build};
 use crate::eurocode::bolts::tension_resistance;
 use bracket_base::diag::Diagnostics;
 use bracket_base::yaml;
@@ -9,7 +9,9 @@ use bracket_joint::assembly::{Facts, Joint};
 use bracket_joint::catalog::{BoltSize, Catalog};
 use bracket_joint::spec::ConnectionSpec;
 use bracket_joint::spec::code::{ConcreteFactors, PartialFactors};
-use bracket_joint::strength::{BoltShank, Design, Nominal, NominalStrength, WeldSteel};
+use bracket_joint::strength::{
+    BoltShank, Design, DesignStrengths, Nominal, NominalStrength, WeldSteel,
+};
 use std::f64::consts::PI;
 use std::path::Path;
 
@@ -41,6 +43,10 @@ fn near(a: f64, b: f64) {
 }
 
 /// S235 at t = 10 mm: 235/1.0 and 235/1.1 = 213.636 MPa.
+fn strengths(joint: &Joint) -> DesignStrengths {
+    DesignCode::of(joint).strengths(&joint.assembly)
+}
+
 #[test]
 fn plate_of_s235() {
     let catalog = Catalog::builtin().expect("the shipped catalogue is sound");
@@ -58,7 +64,7 @@ fn plates_with_holes() {
     near(net(355.0, 490.0), 352.8);
     near(net(275.0, 430.0), 275.0);
     // the parts of a joint: S235 keeps its yield strength, the beam has no holes
-    let strengths = design_strengths(&ok(PAPER));
+    let strengths = strengths(&ok(PAPER));
     let parts: Vec<&str> = strengths.perforated.keys().map(String::as_str).collect();
     assert!(parts.contains(&"COLUMN") && parts.contains(&"PLATE_R") && !parts.contains(&"BEAM_R"));
 }
@@ -98,7 +104,7 @@ fn what_has_no_nominal_strength_does_not_yield() {
 #[test]
 fn a_joint_has_all_its_strengths() {
     let joint = ok(&format!("code: {{gamma_M0: 1.1}}\n{PAPER}"));
-    let strengths = design_strengths(&joint);
+    let strengths = strengths(&joint);
     assert!(joint.assembly.materials.keys().eq(strengths.materials.keys()));
     assert_eq!(strengths.welds.len(), joint.assembly.welds.len());
     let of = |name: &str| strengths.materials[name].expect("it yields").mpa();

@@ -222,8 +222,8 @@ fn minus(a: &PointStress, b: &PointStress) -> PointStress {
     })
 }
 
-/// `∫ r_N (g_N + g₀) + r_T·g_T` of each contact face, with the two energies of elastic ground, shifts as gaps; without `gaps` initial gaps
-/// count as closed.
+/// `∫ r_N (g_N + g₀) + r_T·g_T` of each contact face, with the two energies of elastic ground.
+/// Shifts are gaps; without `gaps` initial gaps count as closed.
 fn contact_work(
     model: &AnalysisModel,
     space: &Tet10Space,

@@ -279,8 +279,8 @@ fn crushing(
     })
 }
 
-/// Largest violation of the contact law, none on ground that gives way \[mm\]. With `initial` initial
-/// gaps and shifts count, without it gaps count as closed.
+/// Largest violation of the contact law, none on ground that gives way \[mm\]. With `initial`
+/// initial gaps and shifts count, without it gaps count as closed.
 fn gap_cones(
     model: &AnalysisModel,
     u: &DisplacementField,

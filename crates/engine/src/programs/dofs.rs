@@ -125,7 +125,7 @@ impl DofMap {
 
     /// The columns of an element with the given full unknowns, each unknown once.
     pub fn columns(&self, dofs: &[usize]) -> Columns {
-        // motions of rigid faces move several full unknowns at once, and both sides of a tie have one
+        // motions of rigid faces move several full unknowns at once; both sides of a tie share one
         let single = |d: &usize| self.terms(*d).is_empty() || self.own(*d).is_some();
         if dofs.iter().all(single) {
             let unknown = |d: &usize| self.terms(*d).first().map_or(NONE, |t| t.0);

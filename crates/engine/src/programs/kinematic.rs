@@ -129,7 +129,8 @@ pub(super) fn numbering(
 }
 
 impl Kinematic {
-    /// Number of unknowns that the elements share and of closings of the ground, of the program of limit analysis or of one of the others. No matrix is assembled.
+    /// Number of unknowns that the elements share and of closings of the ground, of the program of
+    /// limit analysis or of one of the others. No matrix is assembled.
     pub fn unknowns(model: &AnalysisModel, limit: bool) -> Result<usize, ModelError> {
         let space = Tet10Space::new(&model.mesh);
         let shared = numbering(model, &space, limit)?.map.n;
