@@ -92,8 +92,8 @@ impl DesignCode {
         }
     }
 
-    /// Design strengths of all materials and welds of an assembly, and resistances of its bolts. Its
-    /// ground does not settle.
+    /// Design strengths of all materials and welds of an assembly, and resistances of its bolts.
+    /// Its ground does not settle.
     pub fn strengths(&self, assembly: &Assembly) -> DesignStrengths {
         let each = assembly.materials.iter();
         let materials: BTreeMap<String, Option<Design>> =
