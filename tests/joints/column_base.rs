@@ -82,6 +82,22 @@ fn the_model_stands_on_concrete() {
     }
 }
 
+/// Anchors in the web plane of a pinned base cut no border of the ground.
+#[test]
+fn a_row_on_the_axis_of_the_column_is_meshed() {
+    for (profile, size, gauge) in [("HEB200", "M20", 100), ("IPE400", "M30", 150)] {
+        let pinned = joint(&format!(
+            "template: column_base\nmembers: {{column: {{profile: {profile}, steel: S235}}}}\n\
+             plate: {{thickness: 25, width: 300}}\nbolts: {{size: {size}, grade: \"8.8\", rows: \
+             [0], gauge: {gauge}}}\nfriction: {{mu: 0}}\nloads: [{{name: ULS1, end: column, at: \
+             bolt_plane, N: -300 kN}}]\n"
+        ));
+        let (file, mesh) = model(&pinned, 3.0, false, AnalysisKind::Limit);
+        let ground = file.supports.iter().filter(|s| s.face.starts_with("GROUND"));
+        assert_eq!((ground.count(), mesh.bodies.len()), (4, 4), "{:?}", mesh.bodies);
+    }
+}
+
 /// Lifted, a thick plate carries F_t,Rd of its four anchors. Pressed, it sinks into weak concrete
 /// at f_jd under the plate without the holes and the patch.
 #[test]
