@@ -15,6 +15,7 @@ use bracket::model::AnalysisKind;
 use bracket::model::file::ModelFile;
 use bracket::model::resolve::resolve;
 use bracket::model_file::{Asked, cases, model_file};
+use bracket::solve::{SolveOptions, StopRules};
 use bracket::spec::ConnectionSpec;
 use bracket::yaml;
 use std::path::Path;
@@ -63,15 +64,25 @@ fn model_of(
 
 /// Both strict bounds of the whole structure: energies \[N mm\] or load factors.
 pub fn bounds(name: &str, file: &ModelFile, mesh: &TetMesh) -> [f64; 2] {
+    bounds_by(name, file, mesh, &PassOptions::default())
+}
+
+/// The same of limit analysis, solved to a gap of 1e-7.
+pub fn sharp_bounds(name: &str, file: &ModelFile, mesh: &TetMesh) -> [f64; 2] {
+    let solve = SolveOptions::default().with(StopRules::to_limit_gap(1e-7));
+    bounds_by(name, file, mesh, &PassOptions { solve, ..PassOptions::default() })
+}
+
+fn bounds_by(name: &str, file: &ModelFile, mesh: &TetMesh, options: &PassOptions) -> [f64; 2] {
     let model = resolve(file, mesh.clone(), &|_| Place::default())
         .unwrap_or_else(|e| panic!("{name}: {e:#?}"));
     let [lower, upper] = if file.analysis == AnalysisKind::Limit {
-        let pass = limit::run(&model, &PassOptions::default(), &silent()).unwrap();
+        let pass = limit::run(&model, options, &silent()).unwrap();
         let b = pass.bracket.as_ref().unwrap_or_else(|| panic!("{name}: no bracket"));
         assert!(b.is_strict(), "{name}: {b:?}");
         [b.lower().value(), b.upper().value()]
     } else {
-        let pass = elastic::run(&model, &PassOptions::default(), &silent()).unwrap();
+        let pass = elastic::run(&model, options, &silent()).unwrap();
         let b = pass.bracket.as_ref().unwrap_or_else(|| panic!("{name}: no bracket"));
         assert!(b.is_strict(), "{name}: {b:?}");
         [b.lower().value(), b.upper().value()]

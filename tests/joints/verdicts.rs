@@ -9,7 +9,7 @@ use serde_json::Value;
 fn answer(bench: &Bench, name: &str, n: f64, code: i32) -> (String, [f64; 2]) {
     let spec = format!(
         "template: t_stub\nmembers: {{tee: {{profile: IPE300, steel: S235}}}}\nbolts: {{size: \
-         M16, grade: \"8.8\", gauge: 100, rows: [0]}}\nparameters: {{length: 80, welded: true, \
+         M16, grade: \"8.8\", gauge: 100, rows: [0]}}\nparameters: {{length: 100, welded: true, \
          flange_thickness: 40, flange_width: 160, web_height: 30}}\nfriction: {{mu: 0}}\nloads: \
          [{{name: ULS1, end: top, at: bolt_plane, N: {n} kN}}]\nanalysis: {{kind: limit, \
          decide: false, max_passes: 1, mesh: {{layers: false}}}}\n"
@@ -111,11 +111,11 @@ fn remeshed(kind: &str) {
          grade: \"8.8\", gauge: 100, rows: [0]}}\nparameters: {{length: 100, welded: true, \
          flange_thickness: 12, flange_width: 160, web_height: 30}}\nfriction: {{mu: 0}}\nloads: \
          [{{name: ULS1, end: top, at: bolt_plane, N: 80 kN}}]\nanalysis: {{kind: {kind}, \
-         max_passes: 2, target_gap: 0.01, max_macro_tets: 1200}}\n"
+         max_passes: 2, target_gap: 0.01, max_macro_tets: 2500}}\n"
     );
     std::fs::write(bench.path().join("stub.yaml"), spec).expect("written");
     let brackets = [("mmg", None), ("gmsh", Some("no_such_mmg"))].map(|(name, remesher)| {
-        let args = ["run", "stub.yaml", "--size-factor", "3", "--out", name];
+        let args = ["run", "stub.yaml", "--size-factor", "2", "--out", name];
         let mut command = bench.command(&args);
         if let Some(remesher) = remesher {
             command.env("BRACKET_MMG", remesher);
