@@ -409,7 +409,7 @@ pub(crate) fn certify_motion(
     let hard = contacts.iter().any(|f| model.ground_stiffness(f.of).is_none());
     let welds = welds::dissipations(model, u);
     welds.iter().for_each(|d| strain_energy.add(*d));
-    strain_energy.add(elastic_ground::energy(model, space, u));
+    contacts.iter().for_each(|f| strain_energy.add(elastic_ground::energy_of(model, space, f, u)));
     KinematicCertificate {
         energy: strain_energy.value() - work.value(),
         welds,

@@ -5,11 +5,11 @@
 //! `c = max(0, μ‖g_T‖ − g_N − g₀)`, and the ground stores `½ k ∫ c²`. The complementary energy of a
 //! pressure p is `∫ p² / 2k`.
 
-use crate::certify::faces::{ContactFace, contact_faces};
-use crate::certify::welds::{coefficients, jumps};
+use crate::certify::faces::ContactFace;
+use crate::certify::welds::{coefficients, jumps, quarters};
 use crate::elements::space::{FACE_EDGES, Tet10Space};
 use crate::model::AnalysisModel;
-use bracket_base::math::Sum;
+use crate::model::opening::bernstein_at;
 use bracket_base::math::quadrature::{bernstein_mass, triangle_mass};
 use bracket_base::math::vec3::{self, V3};
 
@@ -26,26 +26,30 @@ pub fn energy_of(
     let Some(stiffness) = model.ground_stiffness(face.of) else { return 0.0 };
     let (n, area) = face.normal(model);
     let opening = face.opening(model);
-    let mut jump = [[0.0; 3]; 6];
-    coefficients(&jumps(space, face, u))
-        .zip(opening)
-        .enumerate()
-        .for_each(|(i, (g, o))| jump[i] = vec3::along(g, o, n));
-    let pressed = |g: &V3| {
-        let across = vec3::dot(*g, n);
-        face.law.mu * vec3::norm(vec3::along(*g, -across, n)) - across
+    let mut g = jumps(space, face, u);
+    for (i, g) in g.iter_mut().enumerate() {
+        let [p, q] = if i < 3 { [i, i] } else { FACE_EDGES[i - 3] };
+        let mut at = [0.0; 3];
+        at[p] += 0.5;
+        at[q] += 0.5;
+        *g = vec3::along(*g, bernstein_at(&opening, at), n);
+    }
+    let pressed = |g: V3| {
+        let across = vec3::dot(g, n);
+        face.law.mu * vec3::norm(vec3::along(g, -across, n)) - across
     };
     let linear = face.law.mu == 0.0;
-    0.5 * stiffness * area * mean_square(&jump, &pressed, linear, SUBDIVISIONS)
+    0.5 * stiffness * area * mean_square(&g, &pressed, linear, SUBDIVISIONS)
 }
 
-/// An upper bound of the mean of `max(0, f)²` over a triangle, f a convex function of a quadratic
-/// polynomial with the given Bernstein coefficients. `linear`: f is linear.
+/// An upper bound of the mean of `max(0, f)²` over a triangle, f a convex function of a quadratic g
+/// with the given values at vertices and mid-sides. `linear`: f is linear.
 ///
-/// The quadratic polynomial of the positive values of f at the coefficients lies nowhere below
-/// `max(0, f)`. Where f is linear and has one sign, the mean is exact.
-fn mean_square(g: &[V3; 6], f: &impl Fn(&V3) -> f64, linear: bool, subdivisions: u32) -> f64 {
-    let values = g.map(|g| f(&g));
+/// The quadratic polynomial of the positive values of f at the Bernstein coefficients lies nowhere
+/// below `max(0, f)`. Where f is linear and has one sign, the mean is exact.
+fn mean_square(g: &[V3; 6], f: &impl Fn(V3) -> f64, linear: bool, subdivisions: u32) -> f64 {
+    let mut values = [0.0; 6];
+    values.iter_mut().zip(coefficients(g)).for_each(|(v, g)| *v = f(g));
     if values.iter().all(|v| *v <= 0.0) {
         return 0.0;
     }
@@ -54,40 +58,7 @@ fn mean_square(g: &[V3; 6], f: &impl Fn(&V3) -> f64, linear: bool, subdivisions:
         let row = |i: usize| (0..6).map(|j| bernstein_mass(i, j) * c[j]).sum::<f64>();
         return (0..6).map(|i| c[i] * row(i)).sum();
     }
-    let quarters = parts(g);
-    0.25 * quarters.iter().map(|g| mean_square(g, f, linear, subdivisions - 1)).sum::<f64>()
-}
-
-/// The Bernstein coefficients on the four triangles that the mid-sides make.
-fn parts(g: &[V3; 6]) -> [[V3; 6]; 4] {
-    const CORNERS: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-    // the symmetric bilinear form that equals the polynomial on the diagonal
-    let polar = |x: &[f64; 3], y: &[f64; 3]| -> V3 {
-        let vertices = (0..3).map(|i| (i, x[i] * y[i]));
-        let edges = FACE_EDGES.iter().enumerate();
-        let edges = edges.map(|(e, &[p, q])| (3 + e, x[p] * y[q] + x[q] * y[p]));
-        vertices.chain(edges).fold([0.0; 3], |s, (i, w)| vec3::along(s, w, g[i]))
-    };
-    let middles = FACE_EDGES.map(|[p, q]| -> [f64; 3] {
-        std::array::from_fn(|d| 0.5 * (CORNERS[p][d] + CORNERS[q][d]))
-    });
-    let triangles = [
-        [CORNERS[0], middles[0], middles[2]],
-        [middles[0], CORNERS[1], middles[1]],
-        [middles[2], middles[1], CORNERS[2]],
-        [middles[1], middles[2], middles[0]],
-    ];
-    triangles.map(|x| {
-        std::array::from_fn(|i| {
-            let [p, q] = if i < 3 { [i, i] } else { FACE_EDGES[i - 3] };
-            polar(&x[p], &x[q])
-        })
-    })
-}
-
-/// Energy of all elastic ground under a displacement, an upper bound \[N mm\].
-pub fn energy(model: &AnalysisModel, space: &Tet10Space, u: &[V3]) -> f64 {
-    Sum::of(contact_faces(model).iter().map(|f| energy_of(model, space, f, u)))
+    0.25 * quarters(g).iter().map(|g| mean_square(g, f, linear, subdivisions - 1)).sum::<f64>()
 }
 
 /// Complementary energy of elastic ground under a face with the given tractions at its vertices,

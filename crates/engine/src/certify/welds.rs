@@ -43,6 +43,12 @@ pub fn mean_of(g: &[V3; 6], subdivisions: u32, convex: &impl Fn(V3) -> f64) -> f
     if subdivisions == 0 {
         return coefficients(g).map(convex).sum::<f64>() / 6.0;
     }
+    0.25 * quarters(g).iter().map(|g| mean_of(g, subdivisions - 1, convex)).sum::<f64>()
+}
+
+/// Values at vertices and mid-sides of the four triangles that the mid-sides of a triangle make, of
+/// a quadratic g with the given values.
+pub fn quarters(g: &[V3; 6]) -> [[V3; 6]; 4] {
     let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     let middle =
         |p: [f64; 3], q: [f64; 3]| -> [f64; 3] { std::array::from_fn(|i| 0.5 * (p[i] + q[i])) };
@@ -57,13 +63,11 @@ pub fn mean_of(g: &[V3; 6], subdivisions: u32, convex: &impl Fn(V3) -> f64) -> f
         let shape = triangle_p2(l);
         (0..6).fold([0.0; 3], |s, i| vec3::add(s, vec3::scale(shape[i], g[i])))
     };
-    let part = |x: &[[f64; 3]; 3]| {
-        let points: [[f64; 3]; 6] = std::array::from_fn(|i| {
-            if i < 3 { x[i] } else { middle(x[FACE_EDGES[i - 3][0]], x[FACE_EDGES[i - 3][1]]) }
-        });
-        mean_of(&points.map(at), subdivisions - 1, convex)
-    };
-    0.25 * parts.iter().map(part).sum::<f64>()
+    parts.map(|x| {
+        std::array::from_fn(|i| {
+            at(if i < 3 { x[i] } else { middle(x[FACE_EDGES[i - 3][0]], x[FACE_EDGES[i - 3][1]]) })
+        })
+    })
 }
 
 /// Dissipation of a weld face, an upper bound \[N mm\].

@@ -36,9 +36,7 @@ fn sheet(e: &ColumnBase, joint: &Content) -> Drawing {
     let low = base.elevation(&mut d, &elevation).max(base.plan(&mut d, &plan));
     let mut lines = legend(joint);
     let f = &e.foundation;
-    let sides = [0, 1].map(|k| n(f.plate[k] + f.edge[k][0] + f.edge[k][1]));
-    let [long, wide] =
-        if f.plate == e.plate { sides } else { [sides[1].clone(), sides[0].clone()] };
+    let [long, wide] = base.block.map(|[from, to]| n(to - from));
     let at = lines.len().saturating_sub(1);
     lines.insert(
         at,

@@ -75,6 +75,9 @@ pub fn append_closings(
     map: &DofMap,
     closings: &[(Option<usize>, Closing)],
 ) {
+    if closings.is_empty() {
+        return;
+    }
     let energy = program.p.diagonal();
     for (k, &(row, closing)) in map.closings().zip(closings) {
         let scaled = !program.stiffness.is_empty();

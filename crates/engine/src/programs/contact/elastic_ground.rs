@@ -38,6 +38,9 @@ pub fn kinematic_entries(
     points: &[ControlPoint],
     closings: Range<usize>,
 ) -> Vec<Entry> {
+    if !points.iter().any(|p| p.closing == Some(Closing::Elastic)) {
+        return Vec::new();
+    }
     let closed = points.iter().filter(|p| p.closing.is_some());
     let unknown: BTreeMap<_, usize> = closed.map(ControlPoint::key).zip(closings).collect();
     let mut out = Vec::new();
