@@ -9,9 +9,12 @@ from spec_scenes import ALL_SIX, common, end_loads, splice, tees, to_column, to_
 SCENES = base_scenes.SCENES | bolted_scenes.SCENES | eaves_scenes.SCENES
 
 
-def draw(r, catalogue):
-    """A spec that keeps the rules of its template as far as they are known here."""
-    name = r.choice(sorted(catalogue.templates))
+def draw(r, catalogue, names=None):
+    """A spec that keeps the rules of its template as far as they are known here.
+
+    `names`: the templates to choose from; all of them without.
+    """
+    name = r.choice(sorted(names or catalogue.templates))
     template = catalogue.templates[name]
     spec = {"project": {"title": f"Campaign {name}"}, "template": name}
     if name == "beam_splice":

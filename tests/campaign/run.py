@@ -17,6 +17,8 @@ from program import Program  # noqa: E402
 
 CHECKOUT = Path(__file__).resolve().parents[2]
 ARMS = ["models", "specs", "forgeries", "mutations", "faults"]
+# an arm that runs only where it is asked for
+ASKED = ["families"]
 # cases of an arm that run even where its share of the time is used up
 LEAST = 1
 
@@ -54,7 +56,10 @@ def arguments():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--minutes", type=float, default=5.0, help="time in all (default: 5)")
     parser.add_argument("--seed", type=int, default=1, help="first number of all random ones")
-    parser.add_argument("--arm", action="append", choices=ARMS, help="only this arm; repeatable")
+    parser.add_argument("--arm", action="append", choices=ARMS + ASKED, help="only this arm; repeatable")
+    parser.add_argument(
+        "--template", action="append", help="arm families: only this template; repeatable"
+    )
     parser.add_argument("--bracket", help="program (default: target/release/bracket)")
     parser.add_argument("--keep", help="folder for the failing cases")
     parser.add_argument("--report", help="file for all counts, as JSON")
@@ -77,6 +82,7 @@ def run_arm(arm, options, program, scratch, seconds):
         case.state, case.scratch = state, Path(scratch)
         case.checkout = CHECKOUT
         case.seconds = seconds
+        case.templates = options.template
         try:
             arm.run(case)
         except Exception as error:  # the campaign goes on; its own fault counts as one

@@ -64,28 +64,33 @@ def check(case, spec, flow=False):
     return True
 
 
-def run(case):
+def valid(case, names=None):
+    """A spec that `check` takes, drawn from these templates; `None` where a fault was found."""
     r = case.random
     if "catalogue" not in case.state:
         case.state["catalogue"] = Catalogue(case.program)
     for _ in range(DRAWS):
         try:
-            spec = draw(r, case.state["catalogue"])
+            spec = draw(r, case.state["catalogue"], names)
         except NoRoom:
             case.count("drawn again")
             continue
         flow = r.random() < 0.05
-        if check(case, spec, flow):
-            break
+        taken = check(case, spec, flow)
         if case.faults:
             shrink(case, spec, flow)
-            return
-    else:
-        case.count("no spec drawn")
-        return
-    case.count(f"valid {spec['template']}")
-    if case.faults:
-        shrink(case, spec, flow)
+            return None
+        if taken:
+            case.count(f"valid {spec['template']}")
+            return spec
+    case.count("no spec drawn")
+    return None
+
+
+def run(case):
+    r = case.random
+    spec = valid(case)
+    if spec is None:
         return
     choice = r.random()
     if choice < 0.3:
@@ -121,9 +126,7 @@ def analyse(case, spec, r):
     # bounds hold on any mesh, and coarse ones are solved soon
     factor = round(r.uniform(3.5, 6), 2)
     spec = copy.deepcopy(spec)
-    # one load case: a run is long
-    first = spec["loads"][0]["name"]
-    spec["loads"] = [load for load in spec["loads"] if load["name"] == first]
+    first_case_only(spec)
     # what a verdict by analysis needs takes longest: of small joints only
     decide = kind == "limit" and spec["template"] == "t_stub" and r.random() < 0.5
     # at most the time of the arm, so that a campaign of one minute does not take four
@@ -152,6 +155,12 @@ def analyse(case, spec, r):
         other, _ = one(case, "mirrored", upside_down(spec), factor)
         if here:
             compare(case, "mirrored", next(iter(here.values())), other, 1.0)
+
+
+def first_case_only(spec):
+    """One load case: a run is long."""
+    first = spec["loads"][0]["name"]
+    spec["loads"] = [load for load in spec["loads"] if load["name"] == first]
 
 
 def one(case, name, spec, factor, *options):

@@ -22,6 +22,7 @@ use super::verdict::{Route, Verdict};
 use bracket_base::say;
 use bracket_base::words::Text;
 use serde::{Deserialize, Serialize};
+use std::{iter, ptr};
 
 /// The verdict on a load case, or on all of them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -126,8 +127,13 @@ fn of_case(checks: &HandChecks, a: &Analysed, complete: bool) -> Judgement {
     let more = verdict != Verdict::Undecided && used(&analysis) > used(&code);
     let by_bracket = by_code != verdict || (a.verdict == verdict && more);
     let governing = if by_bracket { analysis.or(code) } else { code };
-    let open = check.filter(|c| c.status == Status::Undecided);
-    let reason = reason::sentence(a, (by_code, open), (verdict, route), governing.as_ref());
+    let undecided = |c: &&Check| c.status == Status::Undecided;
+    let others = binding.iter().copied().filter(undecided);
+    let open: Vec<&Check> = match check.filter(undecided) {
+        Some(first) => iter::once(first).chain(others.filter(|c| !ptr::eq(*c, first))).collect(),
+        None => Vec::new(),
+    };
+    let reason = reason::sentence(a, (by_code, &open), (verdict, route), governing.as_ref());
     // the steps stand for the rule of rotation capacity that the bounds alone lack
     let by_analysis = match a.verdict {
         Verdict::Undecided if shown => Verdict::Ok,

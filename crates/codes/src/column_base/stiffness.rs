@@ -57,7 +57,7 @@ fn spring(e: &IBase<'_>, side: f64, force: &Force, second: bool) -> Spring {
         }
         Force::Tension(row, _) => {
             let (of_plate, of_anchor) = match row.prying {
-                Prying::Develops => (0.85, 1.6),
+                Prying::Develops | Prying::BoltsOnly => (0.85, 1.6),
                 Prying::Absent => (0.425, 2.0),
             };
             let k15 =

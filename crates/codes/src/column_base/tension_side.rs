@@ -35,7 +35,8 @@ pub(super) struct TensionSide {
 ///
 /// # Source
 /// EN 1993-1-8:2005 6.2.8.3(2), 6.2.6.11, 6.2.6.12: Table 6.6, row outside the flange; Table 6.2
-/// with L_b* for prying. Rows between the flanges are not counted.
+/// with L_b* for prying, which by 6.2.6.11(2) counts for the anchors and not for the plate. Rows
+/// between the flanges are not counted.
 pub(super) fn tension_side(e: &IBase<'_>, side: f64) -> Result<TensionSide, &'static str> {
     let p = e.profile;
     let face = 0.5 * p.h;
@@ -70,7 +71,10 @@ pub(super) fn tension_side(e: &IBase<'_>, side: f64) -> Result<TensionSide, &'st
         length2: lengths.mode2(),
         bolts: IN_A_ROW as f64 * anchor.value,
         gamma_m0: e.factors.gamma_m0,
-        prying: pries,
+        prying: match pries {
+            Prying::Absent => Prying::Absent,
+            Prying::Develops | Prying::BoltsOnly => Prying::BoltsOnly,
+        },
         washer_quarter: None,
     };
     let stub = stub.resistance();
@@ -84,7 +88,7 @@ fn least(e: &IBase<'_>, stub: &Resistance, pries: Prying, [m, length]: [f64; 2])
     let limit = n(8.8) * Traced::length("m", m).powi(3) * Traced::area("A_s", e.bolt.stress_area)
         / (Traced::length("ℓ_eff,1", length) * Traced::length("t", e.thickness).powi(3));
     let relation = match pries {
-        Prying::Develops => Relation::AtMost,
+        Prying::Develops | Prying::BoltsOnly => Relation::AtMost,
         Prying::Absent => Relation::Above,
     };
     let long = Line::comparison("L_b", e.elastic_length, relation, limit, Unit::Length);

@@ -57,6 +57,9 @@ pub enum Prying {
     Develops,
     /// They do not: the bolts are so long that the flange lifts off.
     Absent,
+    /// They develop and load the bolts, but the flange gains nothing by them: column bases,
+    /// EN 1993-1-8:2005 6.2.6.11(2).
+    BoltsOnly,
 }
 
 /// A T-stub flange with its bolts. Lengths in mm, forces in N, strengths in MPa.
@@ -103,7 +106,8 @@ impl TStub {
     ///
     /// `M_pl = 0.25 Σℓ_eff t_f² f_y/γ_M0`; mode 1 `4 M_pl,1/m`, by the alternative method
     /// `(8n − 2e_w) M_pl,1/(2mn − e_w(m + n))`; mode 2 `(2 M_pl,2 + n ΣF_t,Rd)/(m + n)`; mode 3
-    /// `ΣF_t,Rd`; without prying `2 M_pl,1/m` in place of modes 1 and 2.
+    /// `ΣF_t,Rd`; without prying `2 M_pl,1/m` in place of modes 1 and 2; with prying for the bolts
+    /// only `2 M_pl,1/m` in place of mode 1.
     ///
     /// # Source
     /// EN 1993-1-8:2005 Table 6.2, without backing plates (6.2.4.3).
@@ -114,6 +118,7 @@ impl TStub {
         let modes: &[Mode] = match self.prying {
             Prying::Absent => &[Mode::FlangeWithoutPrying, Mode::Bolts],
             Prying::Develops => &[Mode::Flange, Mode::FlangeAndBolts, Mode::Bolts],
+            Prying::BoltsOnly => &[Mode::FlangeWithoutPrying, Mode::FlangeAndBolts, Mode::Bolts],
         };
         let modes: Vec<(Mode, f64)> =
             modes.iter().map(|mode| (*mode, self.of_mode(*mode, plastic))).collect();
@@ -133,12 +138,15 @@ impl TStub {
         for (mode, value) in &modes {
             worked = worked.with(mode.name(), *value, Unit::Force);
         }
-        // mode 1: the prying force Q = M_pl/n of either edge beside the hinge at the bolts; mode 2:
-        // the bolts are at F_t,Rd
-        let bolts = match least.0 {
-            Mode::Flange => least.1 + 2.0 * mpl1 / self.n,
-            Mode::FlangeAndBolts | Mode::Bolts => self.bolts,
-            Mode::FlangeWithoutPrying => least.1,
+        // mode 1: the prying force Q = M_pl/n of either edge beside the hinge at the bolts, a share
+        // m/(2n) of the force of the T-stub; mode 2: the bolts are at F_t,Rd
+        let bolts = match (least.0, self.prying) {
+            (Mode::Flange, _) => least.1 + 2.0 * mpl1 / self.n,
+            (Mode::FlangeAndBolts | Mode::Bolts, _) => self.bolts,
+            (Mode::FlangeWithoutPrying, Prying::BoltsOnly) => {
+                least.1 * (1.0 + 0.5 * self.m / self.n)
+            }
+            (Mode::FlangeWithoutPrying, _) => least.1,
         };
         Resistance { mode: least.0, bolts: bolts.min(self.bolts), modes, worked }
     }

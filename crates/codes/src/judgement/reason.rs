@@ -18,10 +18,11 @@ const NARROW: &str = "narrower bounds by more meshes or time (`max_passes`, `tim
 /// What would give a lower bound its weight.
 const RULE: &str = "a thinner plate or stronger bolts, so that a rule of rotation capacity holds";
 
-/// The reason of the verdict on a load case; `open`: the undecided check that governs.
+/// The reason of the verdict on a load case; `open`: the undecided checks, the one that governs
+/// first.
 pub(super) fn sentence(
     a: &Analysed,
-    (by_code, open): (Verdict, Option<&Check>),
+    (by_code, open): (Verdict, &[&Check]),
     (verdict, route): (Verdict, Option<Route>),
     governing: Option<&Governing>,
 ) -> Text {
@@ -63,7 +64,23 @@ pub(super) fn sentence(
 }
 
 /// The reason of an undecided case, with what would decide it.
-fn undecided(a: &Analysed, open: Option<&Check>, what: Text) -> Text {
+fn undecided(a: &Analysed, open: &[&Check], what: Text) -> Text {
+    let first = first_open(a, open.first().copied(), what);
+    let mut others: Vec<Text> = Vec::new();
+    for check in open.iter().skip(1) {
+        let title = check.title.text();
+        if open[0].title != check.title && !others.contains(&title) {
+            others.push(title);
+        }
+    }
+    match others.is_empty() {
+        true => first,
+        false => say!("{}; also open: {}", first, Text::joined(", ", others)),
+    }
+}
+
+/// The first thing that leaves a case undecided, with what would decide it.
+fn first_open(a: &Analysed, open: Option<&Check>, what: Text) -> Text {
     let (case, state) = (&a.case, state(a));
     if let Some(step) = a.first_open().filter(|_| open.is_none_or(Check::is_without_method)) {
         let next = step.next.clone().unwrap_or_default();
@@ -99,7 +116,7 @@ fn undecided(a: &Analysed, open: Option<&Check>, what: Text) -> Text {
     let (why, supply) = match check.open() {
         // without a limit analysis there are no steps of its route
         Some((why, step)) if check.is_without_method() && a.steps.is_empty() => {
-            (why, say!("{}; or the route of analysis (`kind: limit`)", step))
+            (why, say!("{}; or the route of analysis (`bracket run`, `kind: limit`)", step))
         }
         Some((why, step)) => (why, step.clone()),
         None => (check.formula(), supply(a).into()),

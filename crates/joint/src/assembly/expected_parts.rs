@@ -213,8 +213,13 @@ impl Expected {
         });
         let strange: Vec<Text> = strange.map(|w| Text::given(&w.name)).collect();
         let step = "a check of these welds by hand";
-        let throats: Vec<String> = self.throats.iter().map(f64::to_string).collect();
-        let why = say!("the checks take welds with a throat of {} mm", throats.join(" or "));
+        let mut throats: Vec<f64> = self.throats.iter().copied().filter(|a| *a > 0.0).collect();
+        throats.dedup();
+        let throats: Vec<String> = throats.iter().map(f64::to_string).collect();
+        let why = match throats.is_empty() {
+            true => "the checks take butt welds".into(),
+            false => say!("the checks take welds with a throat of {} mm", throats.join(" or ")),
+        };
         (!strange.is_empty()).then(|| fault(strange, "welds".into(), why, step.into()))
     }
 }

@@ -8,6 +8,7 @@ use crate::draw::svg::{Anchor, Drawing, LINE, Pen, Svg};
 use crate::draw::weld_symbol::weld_symbol;
 use bracket_base::say;
 use bracket_codes::check::number as n;
+use bracket_joint::assembly::extent::Extent;
 use bracket_joint::assembly::{BaseSection, ColumnBase, Content};
 
 /// Largest height and width of a view on the page \[pixels\].
@@ -28,7 +29,9 @@ fn sheet(e: &ColumnBase, joint: &Content) -> Drawing {
     let mut d = Drawing::default();
     let top = MARGIN + 1.5 * LINE;
     let base = Base::new(e, joint);
-    let (elevation, plan) = base.scales([MARGIN, top], 130.0);
+    // the height of ribs stands to the left
+    let left = if base.ribs.is_empty() { MARGIN } else { MARGIN + 50.0 };
+    let (elevation, plan) = base.scales([left, top], 130.0);
     for (view, title) in [(&elevation, "elevation"), (&plan, "plan")] {
         let [left, right] = [0, 1].map(|k| view.point([view.wide[k], 0.0])[0]);
         d.text([0.5 * (left + right), MARGIN], Anchor::Middle, title);
@@ -115,6 +118,14 @@ impl View {
     }
 }
 
+/// A rib beside the column \[mm\].
+struct Rib {
+    /// Outline in the elevation.
+    outline: Vec<[f64; 2]>,
+    /// The box round it.
+    extent: Extent,
+}
+
 /// A base with what its drawing needs beside the data of the checks \[mm\].
 struct Base<'a> {
     e: &'a ColumnBase,
@@ -122,6 +133,7 @@ struct Base<'a> {
     section: [f64; 2],
     /// Length of the anchors below the plate.
     anchor: f64,
+    ribs: Vec<Rib>,
     /// The plate along x and along y.
     plate: [[f64; 2]; 2],
     /// The block along x and along y.
@@ -142,7 +154,16 @@ impl<'a> Base<'a> {
         let f = &e.foundation;
         let edge = if f.plate == e.plate { f.edge } else { [f.edge[1], f.edge[0]] };
         let block = [0, 1].map(|k| [plate[k][0] - edge[k][0], plate[k][1] + edge[k][1]]);
-        Self { e, section, anchor: lengths.fold(0.0, f64::max), plate, block }
+        // an outline across y has its corners as (z, x)
+        let upright = |[z, x]: &[f64; 2]| [*x, *z];
+        let ribs = joint.pieces.iter().filter_map(|p| match &p.outline {
+            Some((1, outline)) => {
+                Some(Rib { outline: outline.iter().map(upright).collect(), extent: p.extent })
+            }
+            _ => None,
+        });
+        let anchor = lengths.fold(0.0, f64::max);
+        Self { e, section, anchor, ribs: ribs.collect(), plate, block }
     }
 
     /// Both views, the second to the right of the first.
@@ -156,7 +177,8 @@ impl<'a> Base<'a> {
         };
         let bottom = -(e.foundation.grout + e.foundation.depth);
         let low = (bottom - 0.1 * margin).max(-self.anchor - margin);
-        let high = e.thickness + (1.0 + SHOWN) * margin;
+        let ribs = self.ribs.iter().map(|rib| rib.extent[2][1]);
+        let high = ribs.fold(e.thickness + margin, f64::max) + SHOWN * margin;
         let elevation = View::new(shown(0), [low, high], corner);
         let left = elevation.point([elevation.wide[1], 0.0])[0] + apart;
         let plan = View::new(shown(0), shown(1), [left, corner[1]]);
@@ -184,6 +206,10 @@ impl<'a> Base<'a> {
             for (x, pen) in [(0.5 * h, Pen::Edge), (0.5 * h - wall, inner)] {
                 v.line(d, pen, [side * x, t], [side * x, top]);
             }
+        }
+        for rib in &self.ribs {
+            let corners: Vec<[f64; 2]> = rib.outline.iter().map(|p| v.point(*p)).collect();
+            d.polygon(Pen::Edge, PLATE, &corners);
         }
         for row in &e.rows {
             let half = 0.5 * e.bolt.d;
@@ -216,6 +242,14 @@ impl<'a> Base<'a> {
             zs.insert(1, -f.grout);
         }
         v.chain_right(d, &zs);
+        // of the rib on the left: the symbol of the weld stands on the right
+        if let Some(rib) = self.ribs.last() {
+            let [x, _, z] = rib.extent;
+            let ([left, low], [_, high]) = (v.point([v.wide[0], t]), v.point([0.0, z[1]]));
+            d.vertical_chain(left - 14.0, false, left, &[low, high], &[n(z[1] - t)]);
+            let ends = x.map(|x| v.point([x, 0.0])[0]);
+            d.horizontal_chain(high - 20.0, high - 3.0, &ends, &[n(x[1] - x[0])]);
+        }
         v.point([0.0, v.high[0]])[1] + 16.0 + 4.5 * LINE
     }
 
@@ -226,6 +260,10 @@ impl<'a> Base<'a> {
         v.inner_edges(d, self.block[0], self.block[1]);
         v.rectangle(d, Pen::Edge, PLATE, self.plate[0], self.plate[1]);
         self.section(d, v);
+        for rib in &self.ribs {
+            let [x, y, _] = rib.extent;
+            v.rectangle(d, Pen::Edge, PLATE, x, y);
+        }
         for (x, y) in e.rows.iter().flat_map(|x| e.across.iter().map(move |y| (*x, *y))) {
             let centre = v.point([x, y]);
             d.circle(Pen::Edge, BOLT, centre, 0.5 * v.scale * e.bolt.washer_outer);
@@ -301,6 +339,11 @@ mod tests {
     fn a_base_has_elevation_and_plan_with_its_dimensions() {
         for (profile, rows, parameters) in [
             ("HEB200", "[-140, 140]", "plate_length: 400, plate_offset: 20"),
+            (
+                "HEA200",
+                "[-140, 140]",
+                "plate_length: 400, ribs: true, rib_weld: 5, rib_height: 180",
+            ),
             ("CHS219.1x8", "[-150, 150]", "plate_length: 400, concrete_edge: 0"),
             ("RHS200x100x8", "[-150, 150]", "plate_length: 400, grout_thickness: 0"),
         ] {
@@ -318,6 +361,11 @@ mod tests {
             let drawing = sheet(e, &joint.content);
             assert_eq!(overlaps(&drawing.labels), 0, "{profile}: {:?}", drawing.labels);
             let text = drawing.finish("t").file;
+            // a rib has five corners, the weld's symbol three, the section of the column twelve
+            let corners = |line: &str| line.split('"').nth(1).map_or(0, |p| p.split(' ').count());
+            let polygons = text.lines().filter(|line| line.starts_with("<polygon"));
+            let ribs = polygons.filter(|line| corners(line) == 5).count();
+            assert_eq!(ribs, if parameters.contains("ribs") { 2 } else { 0 }, "{profile}: {text}");
             let wanted: &[&str] = match profile {
                 // 400 = 40 + 280 + 80; 80 + 200 + 120 about the column; 160 below, of it 30 grout
                 "HEB200" => &[
@@ -332,6 +380,8 @@ mod tests {
                     "1000 × 960 × 600",
                     "f_ck = 25 MPa",
                 ],
+                // the plate reaches 105 beyond the flange, a rib 10 less; its height
+                "HEA200" => &[">95<", ">180<"],
                 "CHS219.1x8" => &[">300<", "400 × 360 × 600"],
                 _ => &[">300<", "grout 0"],
             };

@@ -4,6 +4,7 @@ use crate::document::Doc;
 use crate::document::table::{Table, cells, dash};
 use crate::figures::residual;
 use crate::markdown::report_data::ReportData;
+use crate::markdown::words::case_title;
 use crate::result::result_file::RESIDUAL_TOLERANCE;
 
 pub(crate) fn certificates(doc: &mut Doc, data: &ReportData) {
@@ -13,8 +14,9 @@ pub(crate) fn certificates(doc: &mut Doc, data: &ReportData) {
     );
     let mut rows = Vec::new();
     for case in &data.result.cases {
+        let title = case_title(case, &data.result);
         let Some(certificate) = case.certificate else {
-            rows.push(cells![case.name.clone(), dash(), dash(), dash(), dash(), "no certificate",]);
+            rows.push(cells![title.clone(), dash(), dash(), dash(), dash(), "no certificate",]);
             continue;
         };
         for (name, definition, value) in certificate.residuals() {
@@ -22,7 +24,7 @@ pub(crate) fn certificates(doc: &mut Doc, data: &ReportData) {
                 let pass = if value <= RESIDUAL_TOLERANCE { "pass" } else { "FAIL" };
                 let tolerance = format!("{RESIDUAL_TOLERANCE:.0e}");
                 rows.push(cells![
-                    case.name.clone(),
+                    title.clone(),
                     name,
                     definition,
                     residual(value),
@@ -33,7 +35,7 @@ pub(crate) fn certificates(doc: &mut Doc, data: &ReportData) {
         }
         let (value, pass) =
             if certificate.strict { ("yes", "bounds") } else { ("no", "estimates only") };
-        rows.push(cells![case.name.clone(), "strict", "all of the above", value, dash(), pass,]);
+        rows.push(cells![title.clone(), "strict", "all of the above", value, dash(), pass,]);
     }
     let columns = Table::columns(["case", "residual", "definition", "value", "tolerance", ""]);
     doc.table(&Table { columns, rows });

@@ -39,7 +39,7 @@ pub fn report_markdown(data: &ReportData, words: &Words) -> String {
         answer(doc, case, data);
         component_method::lines(doc, case);
         stiffness::lines(doc, case);
-        forces::tables(doc, case, data.result.symmetry);
+        forces::tables(doc, case, &data.result);
     }
     if data.result.cases.is_empty() {
         doc.paragraph("By the code's checks alone: no analysis was run.");

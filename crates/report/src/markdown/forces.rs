@@ -3,8 +3,9 @@
 use crate::document::Doc;
 use crate::document::table::{Table, cells};
 use crate::figures::{Rounding, significant};
+use crate::markdown::words::case_title;
 use crate::result::forces::BoltForce;
-use crate::result::result_file::CaseResult;
+use crate::result::result_file::{CaseResult, ResultFile};
 use bracket_base::say;
 use bracket_engine::model::AnalysisKind;
 
@@ -22,18 +23,18 @@ fn across(bolts: &[BoltForce]) -> Vec<usize> {
 }
 
 /// Tables of bolts and of contacts.
-pub(crate) fn tables(doc: &mut Doc, case: &CaseResult, symmetry: u32) {
+pub(crate) fn tables(doc: &mut Doc, case: &CaseResult, result: &ResultFile) {
     let Some(s) = case.static_forces.as_ref().filter(|s| !s.bolts.is_empty()) else { return };
     let kn = |f: f64| significant(1e-3 * f, 3, Rounding::Nearest);
     let what = match case.analysis {
         AnalysisKind::Limit => "one of the distributions that plasticity allows",
         _ => "estimates, not bounds",
     };
-    let copies = if symmetry > 1 { "; the others are their mirror images" } else { "" };
+    let copies = if result.symmetry > 1 { "; the others are their mirror images" } else { "" };
     doc.paragraph(say!(
         "{}: forces of the bolts at load factor {}, from the stress of the lower bound ({}), \
          prying included{}:",
-        &case.name,
+        case_title(case, result),
         significant(s.load_factor, 4, Rounding::Down),
         what,
         copies

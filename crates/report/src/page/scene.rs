@@ -6,6 +6,7 @@
 use super::base64::base64;
 use crate::draw::options::Colours;
 use crate::draw::palette::{Groups, group_colour};
+use crate::markdown::words::case_title;
 use crate::result::result_file::ResultFile;
 use crate::words::Words;
 use bracket_base::math::vec3::V3;
@@ -230,7 +231,7 @@ impl Scene {
             let Some(forces) = &case.static_forces else { continue };
             let kn = |force: f64| Text::given(format!("{:.1} kN", 1e-3 * force));
             let factor = format!("{:.3}", forces.load_factor);
-            let place = say!("{}, load factor {}", &case.name, factor);
+            let place = say!("{}, load factor {}", case_title(case, result), factor);
             let mut add = |name: &str, what: Text, value: Text| {
                 let part = self.parts.iter_mut().find(|p| p.name == name);
                 part.into_iter().for_each(|p| {

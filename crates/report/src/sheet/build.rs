@@ -209,7 +209,7 @@ fn case_answer(case: &CaseResult, data: &ReportData, words: &Words) -> CaseAnswe
         answer(doc, case, data);
         component_method::lines(doc, case);
         stiffness::lines(doc, case);
-        forces::tables(doc, case, data.result.symmetry);
+        forces::tables(doc, case, &data.result);
     });
     CaseAnswer {
         name: words.say(&say!("{}, {}", &case.name, analysis_word(case.analysis))),

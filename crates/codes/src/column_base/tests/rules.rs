@@ -90,7 +90,8 @@ fn compression(e: &ColumnBase, side: f64) -> (f64, f64) {
     ((f_jd(e) * area).min(s.plastic * FY / (s.h - s.tf)), area)
 }
 
-/// m, ℓ_eff,1, prying (Table 6.2, L_b ≤ L_b*) and F_T,Rd of the row (Table 6.6, Table 6.2).
+/// m, ℓ_eff,1, prying (Table 6.2, L_b ≤ L_b*) and F_T,Rd of the row (Table 6.6, Table 6.2; the
+/// plate without prying, the anchors with it, 6.2.6.11(2)).
 fn tension(e: &ColumnBase, side: f64) -> (f64, f64, bool, f64) {
     let s = section(e);
     let row = if side > 0.0 { e.rows[1] } else { -e.rows[0] };
@@ -108,10 +109,16 @@ fn tension(e: &ColumnBase, side: f64) -> (f64, f64, bool, f64) {
     let moment = |l: f64| 0.25 * l * e.thickness * e.thickness * FY;
     let (n, bolts) = (ex.min(1.25 * m), 2.0 * 0.9 * FUB * AS / GAMMA_M2);
     let plate = match pries {
-        true => (4.0 * moment(l1) / m).min((2.0 * moment(l2) + n * bolts) / (m + n)),
+        true => (2.0 * moment(l1) / m).min((2.0 * moment(l2) + n * bolts) / (m + n)),
         false => 2.0 * moment(l1) / m,
     };
     (m, l1, pries, plate.min(bolts).min(s.b * s.tf * FY))
+}
+
+/// 2 M_pl,1/m of the row.
+fn plate_alone(e: &ColumnBase, side: f64) -> f64 {
+    let (m, l1, ..) = tension(e, side);
+    0.5 * l1 * e.thickness * e.thickness * FY / m
 }
 
 /// Table 6.7: M_j,Rd at the eccentricity e = M/N, for M > 0 with tension on the side `side`.
@@ -194,12 +201,20 @@ fn every_rule_a_second_time() {
             let one = steel.min(bearing);
             near("F_v,Rd", find(CheckId::BaseShear).next(), friction + 4.0 * one);
             if !both_pressed {
-                let (_, _, pries, pull) = tension(&e, side);
+                let (m_row, _, pries, pull) = tension(&e, side);
                 let ft = 0.9 * FUB * AS / GAMMA_M2;
                 let row = (m.abs() + n * z_c) / (z_of(&e, side) + z_c);
                 // where the base fails by code, its anchors count with all that they carry
                 if n <= 0.0 && m.abs() <= want {
-                    let more = if pries { (2.0 * ft / pull).max(1.0) } else { 1.0 };
+                    // prying m/(2n) beside a yield line of the plate; by mode 2 all of F_t,Rd
+                    let row_of = if side > 0.0 { e.rows[1] } else { -e.rows[0] };
+                    let lever = (edge(&e, side) - row_of).min(1.25 * m_row);
+                    let all = 2.0 * ft / pull;
+                    let more = match pries && pull < plate_alone(&e, side) * (1.0 - 1e-12) {
+                        true => all.max(1.0),
+                        false if pries => all.min(1.0 + 0.5 * m_row / lever).max(1.0),
+                        false => 1.0,
+                    };
                     let used = (v - friction) / 4.0 / one + row * more / 2.0 / (1.4 * ft);
                     near("V and N", find(CheckId::AnchorShearAndTension).next(), used);
                 }

@@ -46,6 +46,12 @@ fn table_6_2_modes_of_the_t_stub() {
     let lifted = TStub { prying: Prying::Absent, ..STUB }.resistance();
     near(mode(&lifted, "mode 1-2"), 2.0 * mpl1 / 40.0);
     assert_eq!((lifted.mode, mode(&lifted, "mode 2")), (Mode::FlangeWithoutPrying, f64::INFINITY));
+    // 6.2.6.11(2): the plate of a base gains nothing by prying, its anchors carry it
+    let base = TStub { prying: Prying::BoltsOnly, ..STUB }.resistance();
+    near(base.worked.value, 2.0 * mpl1 / 40.0);
+    near(base.bolts, 2.0 * mpl1 / 40.0 * (1.0 + 40.0 / 100.0));
+    let thick = TStub { thickness: 40.0, prying: Prying::BoltsOnly, ..STUB }.resistance();
+    near(thick.worked.value, mode(&thick, "mode 2").min(400e3));
 }
 
 /// With e_w = 0 the alternative method is the first one; with a washer it gives more, never more
