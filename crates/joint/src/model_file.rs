@@ -306,6 +306,8 @@ mod tests {
             imprint: false,
             throat: 4.0,
             thickness: 8.0,
+            length: None,
+            closed: false,
             steel: WeldSteel { fu: Nominal::new(360.0), beta_w: 0.8 },
         });
         let mesh = names(&["UPPER", "LOWER", "BOLT"], &["BASE", "PULL", "WELD"]);

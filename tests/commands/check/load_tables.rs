@@ -141,7 +141,7 @@ fn many_values_of_beta_in_one_diagram() {
     assert!(result["component_method"].as_array().expect("a list").len() > 20);
     assert!(!bench.path().join("r/moment_axial_2.svg").exists());
     let svg = bench.read("r/moment_axial.svg");
-    assert!(svg.contains("80 load cases that are carried"), "{svg}");
+    assert!(svg.contains("80 load cases inside"), "{svg}");
     let report = bench.read("r/report.md");
     let methods = report.matches("γ_M0 = 1; β = ").count();
     assert!((2..=4).contains(&methods), "{methods} sets of numbers");

@@ -33,13 +33,16 @@ fn of_case(e: &IBase<'_>, a: &PlaneActions) -> Vec<Check> {
     let [[n, ..], [_, m, _]] = a.at(1.0);
     let mut out = no_formula(e, a);
     let mut pull = Pull::Known(0.0);
+    let welds = weld_checks::under_load(e, a);
     if n < 0.0 && m == 0.0 {
         let subject = at(a).and(Part::BasePlate);
         out.push(whole(e).against(TOPIC, subject, -n, Status::Failed).of_strength());
     } else if n != 0.0 || m != 0.0 {
         match forces(e, n, m) {
             Ok(found) => {
-                out.extend(of_sides(e, a, &found));
+                let flanges = welds.iter().filter(|(part, _)| *part == Part::ColumnFlange);
+                let welded = flanges.filter_map(|(_, c)| c.utilisation).next();
+                out.extend(of_sides(e, a, &found, welded));
                 out.extend(stiffness::checks(e, a, &found));
                 let pulls = found.iter().filter_map(|(_, force)| match force {
                     Force::Tension(row, force) => Some(of_anchor(row, force.value)),
@@ -62,13 +65,14 @@ fn of_case(e: &IBase<'_>, a: &PlaneActions) -> Vec<Check> {
     let sheared = shear::of_anchor(e, a);
     out.extend(shear::checks(e, a, pull.most()));
     out.extend(anchorage::check(e, a, pull, sheared));
-    out.extend(weld_checks::under_load(e, a));
+    out.extend(welds.into_iter().map(|(_, check)| check));
     out.extend(column(e, a));
     out
 }
 
 /// The forces of both sides against their resistances, and M_j,Rd at constant eccentricity.
-fn of_sides(e: &IBase<'_>, a: &PlaneActions, forces: &Forces) -> Vec<Check> {
+/// `welded`: the utilisation of fillet welds of the flanges, which M_j,Rd must not exceed (6.2.3(4)).
+fn of_sides(e: &IBase<'_>, a: &PlaneActions, forces: &Forces, welded: Option<f64>) -> Vec<Check> {
     let [[_, _, v], [_, m, _]] = a.at(1.0);
     let mut out = Vec::new();
     for (side, force) in forces {
@@ -97,11 +101,14 @@ fn of_sides(e: &IBase<'_>, a: &PlaneActions, forces: &Forces) -> Vec<Check> {
     }
     let used = largest(out.iter().filter_map(|c| c.utilisation), |u| *u).filter(|u| *u > 0.0);
     if let Some(used) = used.filter(|_| m != 0.0) {
-        let share = Traced::number("η", used);
+        let by_weld = welded.filter(|w| *w > used);
+        let share = Traced::number("η", by_weld.unwrap_or(used));
         let value = Traced::symbol("M_Ed", m.abs(), Unit::Moment) / share;
         let (clause, id) = ("EN 1993-1-8:2005 Table 6.7", CheckId::BaseMoment);
-        let worked = Worked::of(clause, id, "M_j,Rd", value, Unit::Moment)
-            .after("η: the largest utilisation of the forces under both flanges; e = M/N is kept");
+        let worked = Worked::of(clause, id, "M_j,Rd", value, Unit::Moment).after(match by_weld {
+            Some(_) => "η: the utilisation of the welds of the flanges; e = M/N is kept",
+            None => "η: the largest utilisation of the forces under both flanges; e = M/N is kept",
+        });
         out.push(worked.information(TOPIC, at(a).and(Part::Joint)));
     }
     out

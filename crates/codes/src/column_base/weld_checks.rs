@@ -65,13 +65,13 @@ pub(super) fn sizes(e: &IBase<'_>) -> Vec<Check> {
     out
 }
 
-/// The welds by the directional method: a flange takes M/(h − t_f) and its share of N, the web its
+/// The welds of flanges and web by the directional method: a flange takes M/(h − t_f) and its share of N, the web its
 /// elastic stresses and all of Vz; the flanges share Vy.
 ///
 /// # Source
 /// EN 1993-1-8:2005 4.5.3.2(6), 2.5(1). Compression counts like tension: contact of the column with
 /// the plate is not asked for.
-pub(super) fn under_load(e: &IBase<'_>, a: &PlaneActions) -> Vec<Check> {
+pub(super) fn under_load(e: &IBase<'_>, a: &PlaneActions) -> Vec<(Part, Check)> {
     let [[n, across, v], [_, m, _]] = a.at(1.0);
     let p = e.profile;
     let s = Section::from(p);
@@ -107,7 +107,7 @@ pub(super) fn under_load(e: &IBase<'_>, a: &PlaneActions) -> Vec<Check> {
         }
         let worked = worked.after(normal).after(run);
         let seam = at(a).and(Place::Seam { of: w.part, to: Part::BasePlate });
-        out.push(worked.utilised(Topic::Welds, seam, Status::Failed));
+        out.push((w.part, worked.utilised(Topic::Welds, seam, Status::Failed)));
     }
     out
 }

@@ -31,6 +31,8 @@ pub struct WeldFacts {
     pub throat: f64,
     /// Thickness of the plate \[mm\].
     pub thickness: f64,
+    /// True: one weld round the outside of a hollow section.
+    pub closed: bool,
     /// Its steel.
     pub steel: WeldedSteel,
 }
@@ -49,6 +51,7 @@ impl RouteFacts {
             name: w.name.clone(),
             throat: w.throat,
             thickness: w.thickness,
+            closed: w.closed,
             steel: WeldedSteel { fu: w.steel.fu, beta_w: w.steel.beta_w, gamma_m2 },
         });
         Self {

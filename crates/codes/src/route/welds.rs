@@ -17,7 +17,17 @@ pub(super) fn welds(facts: &RouteFacts, evidence: &Evidence, copies: usize) -> R
         let Some(found) = evidence.welds.iter().find(|w| w.weld == weld.name) else { continue };
         for s in &found.segments {
             let [normal, across, along, couple] = [s.normal, s.across, s.along, s.couple];
-            let force = PairForce { normal, across, along, couple };
+            // one weld round a hollow section carries what a pair of welds does on a plate; its
+            // eccentricity need not be considered (4.12(3))
+            let force = match weld.closed {
+                true => PairForce {
+                    normal: 2.0 * normal,
+                    across: 2.0 * across,
+                    along: 2.0 * along,
+                    couple: 0.0,
+                },
+                false => PairForce { normal, across, along, couple },
+            };
             let [from, to] = s.from_to.map(|x| Unit::Length.show(x));
             uses.push(RouteUse {
                 what: say!("{}, from {} to {} along it", &weld.name, from, to),

@@ -173,6 +173,12 @@ pub struct WeldRule {
     /// Area of the interface divided by half the length of its welds \[mm\]. For a plate with a
     /// weld on each side this is the thickness of the plate.
     pub thickness: f64,
+    /// Length of all of them \[mm\]; none: twice the area of the surface over `thickness`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub length: Option<f64>,
+    /// True: one weld round the outside of a hollow section.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub closed: bool,
     /// The weaker steel of the two parts.
     pub steel: WeldSteel,
 }

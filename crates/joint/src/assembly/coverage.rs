@@ -408,7 +408,7 @@ pub(super) fn seams(content: &Content, assembly: &Assembly) -> Vec<Seam> {
     for w in assembly.welds.iter().filter(|w| w.between.iter().any(|p| is_unknown(p))) {
         let super::assembly::Surface::Plane { axis, min, max, .. } = w.surface else { continue };
         let area: f64 = (0..3).filter(|k| *k != axis).map(|k| max[k] - min[k]).product();
-        let length = 2.0 * area / w.thickness;
+        let length = w.length.unwrap_or(2.0 * area / w.thickness);
         out.push(Seam { between: w.between.clone(), throat: w.throat, length });
     }
     let joined = |a: &str, b: &str| {

@@ -5,7 +5,7 @@
 
 use crate::draw::parts_drawing::{BOLT, PLATE, STEEL, legend};
 use crate::draw::svg::{Anchor, Drawing, LINE, Pen, Svg};
-use crate::draw::weld_symbol::weld_symbol;
+use crate::draw::weld_symbol::{Sides, weld_symbol};
 use bracket_base::say;
 use bracket_codes::check::number as n;
 use bracket_joint::assembly::extent::Extent;
@@ -215,6 +215,12 @@ impl<'a> Base<'a> {
             let half = 0.5 * e.bolt.d;
             let nut = t + e.bolt.washer_thickness + e.bolt.nut_height;
             v.rectangle(d, Pen::Edge, BOLT, [row - half, row + half], [-self.anchor, nut + half]);
+            // it goes on: its anchorage is not Bracket's
+            let beyond = [row - 2.0 * half, row + 2.0 * half];
+            for low in [0.0, 0.5 * half] {
+                let ends = [-self.anchor - low - half, -self.anchor - low + half];
+                v.line(d, Pen::Edge, [beyond[0], ends[0]], [beyond[1], ends[1]]);
+            }
         }
         v.rectangle(d, Pen::Edge, PLATE, self.plate[0], [0.0, t]);
         for row in &e.rows {
@@ -231,15 +237,19 @@ impl<'a> Base<'a> {
         }
         v.line(d, Pen::Thin, [0.0, v.high[0]], [0.0, top]);
         let corner = v.point([0.5 * h, t]);
-        weld_symbol(d, corner, [corner[0] + 34.0, corner[1] - 70.0], e.flange_throat);
+        let sides = match e.section {
+            BaseSection::I(_) => Sides::Both,
+            BaseSection::Rectangular { .. } | BaseSection::Circular { .. } => Sides::Arrow,
+        };
+        weld_symbol(d, corner, [corner[0] + 34.0, corner[1] - 70.0], e.flange_throat, sides);
         let mut xs = e.rows.clone();
         xs.extend(self.plate[0]);
         xs.sort_by(f64::total_cmp);
         v.chain_below(d, 16.0, &xs);
         v.chain_below(d, 16.0 + 2.5 * LINE, &self.plate[0]);
-        let mut zs = vec![-self.anchor, 0.0, t];
-        if f.grout > 0.0 && f.grout < self.anchor {
-            zs.insert(1, -f.grout);
+        let mut zs = vec![0.0, t];
+        if f.grout > 0.0 {
+            zs.insert(0, -f.grout);
         }
         v.chain_right(d, &zs);
         // of the rib on the left: the symbol of the weld stands on the right

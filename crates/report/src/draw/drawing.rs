@@ -7,7 +7,7 @@
 use crate::draw::rafter_drawing;
 use crate::draw::scale::Scale;
 use crate::draw::svg::{Anchor, Drawing, LINE, Pen, Svg};
-use crate::draw::weld_symbol::weld_symbol;
+use crate::draw::weld_symbol::{Sides, weld_symbol};
 use bracket_base::say;
 use bracket_base::words::Text;
 use bracket_codes::check::{Unit, number as n};
@@ -139,12 +139,14 @@ fn side_view(
             s.at(end[0], end[1]),
             [x + 6.0, s.at(0.0, -0.4 * half)[1]],
             c.stiffener_throat,
+            Sides::Both,
         );
     }
     let [start, end] = [0.0, stub].map(|x| face + e.thickness + x);
     let place = s.at(start + 0.32 * (end - start), 0.0);
-    weld_symbol(d, s.at(start, half), [place[0], s.at(0.0, high)[1]], e.flange_throat);
-    weld_symbol(d, s.at(start, 0.1 * half), place, e.web_throat);
+    let at = [place[0], s.at(0.0, high)[1]];
+    weld_symbol(d, s.at(start, half), at, e.flange_throat, Sides::Both);
+    weld_symbol(d, s.at(start, 0.1 * half), place, e.web_throat, Sides::Both);
     let reach = face + e.thickness + stub;
     let [from, to] = [if both { -reach } else { -face }, reach];
     further(d, s, joint, 0, [from, to], [low, high]);

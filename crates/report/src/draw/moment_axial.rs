@@ -83,13 +83,15 @@ pub fn drawing(diagram: &MomentAxial) -> Svg {
             continue;
         }
         let text = match carried {
-            true => say!("{} load cases that are carried", count),
+            true => say!("{} load cases inside", count),
             false => say!("{} load cases beyond it", count),
         };
         d.circle(Pen::Edge, fill, [legend + 11.0, y + 6.0], 3.5);
         d.text([legend + 30.0, y + 6.0], Anchor::Start, text);
         y += 1.5 * LINE;
     }
+    d.text([legend, y + 6.0], Anchor::Start, "welds and members have checks of their own");
+    y += 1.5 * LINE;
     if many {
         let text = say!("names: the {} that use most", NAMED);
         d.text([legend + 30.0, y + 6.0], Anchor::Start, text);

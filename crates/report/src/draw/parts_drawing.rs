@@ -212,7 +212,7 @@ pub(super) fn legend(joint: &Content) -> Vec<Text> {
         let size = match &i.size {
             PartSize::Plate(sizes) => Text::given(sizes.map(n).join(" × ")),
             PartSize::Anchor { size, below, .. } => {
-                say!("{}, {} below the plate", size, n(*below))
+                say!("{}, elastic over {} below the plate, then anchored", size, n(*below))
             }
             PartSize::Bolt { size, length, grip } => {
                 let long = length.map_or_else(String::new, |l| format!(" × {}", n(l)));

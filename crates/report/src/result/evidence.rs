@@ -1,6 +1,7 @@
 //! Estimates for the route of analysis, from the fields of elastoplastic analysis with elastic
 //! bolts on one mesh.
 
+use super::weld_bands::weld_bands;
 use bracket_codes::route::{
     BoltSections, Evidence, NextMesh, PlateStrain, RouteFacts, SectionForce, WeldForce, WeldForces,
     least_factor, next_mesh,
@@ -15,9 +16,6 @@ use bracket_engine::model::AnalysisModel;
 use bracket_joint::assembly::Joint;
 use bracket_joint::assembly::assembly::{Section, Surface, SymmetryPlane, WeldRule};
 use bracket_joint::assembly::sheets::{Sheet, sheets};
-
-/// Least length over which the forces of a weld are averaged, beside six throats \[mm\].
-const WELD_LENGTH: f64 = 30.0;
 
 /// What is measured in the fields of a joint.
 #[derive(Clone, Debug)]
@@ -167,29 +165,13 @@ impl EvidencePlan {
         let Some(stress) = stress else { return Vec::new() };
         let bands = self.welds.iter().filter_map(|rule| {
             let meshed = model.welds.iter().find(|w| w.name == rule.name)?;
-            let Surface::Plane { axis, min, max, .. } = rule.surface else { return None };
-            let size = |k: usize| max[k] - min[k];
-            let off = |k: usize| (size(k) - rule.thickness).abs();
-            let [first, second] = bracket_joint::assembly::axes::across(axis);
-            // the plate is as thick as the weld's interface is wide
-            let (along, across) =
-                if off(first) > off(second) { (first, second) } else { (second, first) };
-            let (halved, _) = rule.surface.halved_by(&self.symmetry);
-            let band = WeldBand {
-                faces: meshed.faces.clone(),
-                along: std::array::from_fn(|k| f64::from(u8::from(k == along))),
-                length: (size(along) / 4.0).min((6.0 * rule.throat).max(WELD_LENGTH)),
-                mirrored_along: halved.contains(&along),
-                mirrored_across: halved.contains(&across),
-            };
-            Some((rule, band))
+            Some((rule, weld_bands(rule, &meshed.faces, model, &self.symmetry)))
         });
-        let (rules, bands): (Vec<&WeldRule>, Vec<WeldBand>) = bands.unzip();
-        let found = line_forces(model, stress, &bands);
-        let of = |(rule, segments): (&WeldRule, Vec<_>)| WeldForces {
+        let of = |(rule, bands): (&WeldRule, Vec<WeldBand>)| WeldForces {
             weld: rule.name.clone(),
-            segments: segments
+            segments: line_forces(model, stress, &bands)
                 .into_iter()
+                .flatten()
                 .map(|s: bracket_engine::estimate::weld_forces::Segment| WeldForce {
                     from_to: s.span,
                     normal: s.normal,
@@ -199,6 +181,6 @@ impl EvidencePlan {
                 })
                 .collect(),
         };
-        rules.into_iter().zip(found).map(of).collect()
+        bands.map(of).collect()
     }
 }

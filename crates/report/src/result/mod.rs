@@ -33,3 +33,4 @@ pub mod step_bounds;
 pub mod stiffness;
 pub mod study;
 pub mod verify;
+mod weld_bands;

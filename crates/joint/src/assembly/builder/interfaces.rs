@@ -47,6 +47,7 @@ impl Context<'_> {
                         format!("the thickness {thickness} mm is not positive"),
                     );
                 }
+                let length = w.length.as_ref().map(|l| within(at, s.length(l))).transpose()?;
                 let steels = [self.steel_of(at, &between[0])?, self.steel_of(at, &between[1])?];
                 let weaker = steels[0].weaker(&steels[1]);
                 let Some(steel) = weaker.of_welds() else {
@@ -61,6 +62,8 @@ impl Context<'_> {
                     imprint: w.imprint,
                     throat,
                     thickness,
+                    length,
+                    closed: w.closed,
                     steel,
                 });
             }

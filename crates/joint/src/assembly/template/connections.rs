@@ -95,4 +95,10 @@ pub struct WeldEntry {
     /// Area of the interface over half of the length of its welds: the thickness of a plate with a
     /// weld on either side.
     pub thickness: Expr,
+    /// Length of all its welds, where `face` is more than the area of the interface; without:
+    /// twice the area of `face` over `thickness`.
+    pub length: Option<Expr>,
+    /// True: one weld round the outside of a hollow section.
+    #[serde(default)]
+    pub closed: bool,
 }
