@@ -45,8 +45,8 @@ pub(super) fn check(e: &ColumnBase, a: &PlaneActions, pull: Pull, shear: f64) ->
         Pull::AtMost(_) => "≤",
     };
     let why = say!(
-        "an anchor brings N_Ed {} {} and V_Ed = {} into the concrete: bond, pull-out, concrete \
-         cone, splitting and concrete edge are not covered",
+        "an anchor brings N_Ed {} {}, prying included, and V_Ed = {} into the concrete: bond, \
+         pull-out, concrete cone, splitting and concrete edge are not covered",
         relation,
         Unit::Force.show(pull.most()),
         Unit::Force.show(shear)

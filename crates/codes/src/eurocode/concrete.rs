@@ -98,27 +98,31 @@ pub fn grout_fault(of: &Foundation) -> Option<&'static str> {
 pub fn bearing_strength(of: &Foundation, factors: ConcreteFactors) -> Worked {
     let [alpha, gamma] =
         [("α_cc", factors.alpha_cc), ("γ_c", factors.gamma_c)].map(|(s, v)| Traced::number(s, v));
-    let strength = |f: f64| {
-        let f_ck = Traced::stress("f_ck", f);
-        f_cd(alpha.clone(), f_ck, gamma.clone()).named("f_cd", Unit::Stress)
+    let strength = |f: f64, symbols: [&'static str; 2]| {
+        let f_ck = Traced::stress(symbols[0], f);
+        f_cd(alpha.clone(), f_ck, gamma.clone()).named(symbols[1], Unit::Stress)
     };
     let plate = [("L_x", of.plate[0]), ("L_y", of.plate[1])].map(|(s, v)| Traced::length(s, v));
     let edges = edges(of);
     let edges = [("e_x", edges[0]), ("e_y", edges[1])].map(|(s, v)| Traced::length(s, v));
-    let k = k_j(plate, edges, Traced::length("h", of.depth)).named("k_j", Unit::Number);
-    let f_cd = strength(of.f_ck.mpa());
+    let k = k_j(plate, edges, Traced::length("h_b", of.depth)).named("k_j", Unit::Number);
+    let f_cd = strength(of.f_ck.mpa(), ["f_ck", "f_cd"]);
     let beta = Traced::number("β_j", BETA_J);
     let value = f_jd(beta, k.clone(), f_cd.clone());
     let (clause, id) = ("EN 1993-1-8:2005 6.2.5(7); EN 1992-1-1:2004 6.7", CheckId::BaseStrength);
     let lines = crate::formula::Derivation::default()
         .then(crate::formula::Formula::new("f_cd", f_cd, Unit::Stress))
         .then(crate::formula::Formula::new("k_j", k, Unit::Number));
-    let worked = Worked::of(clause, id, "f_jd", value.clone(), Unit::Stress).after(lines);
+    let worked = Worked::of(clause, id, "f_jd", value.clone(), Unit::Stress).after(lines).after(
+        "L_x, L_y: sides of the plate; e_x, e_y: its distances to the edges of the block; h_b: \
+         depth of the block (EN 1992-1-1, Figure 6.29)",
+    );
     match grout_fault(of) {
         None => worked,
         Some(_) => {
             let whole = worked.traced();
-            worked.becomes("f_jd,red", whole.min(strength(of.grout_strength.mpa())))
+            let grout = strength(of.grout_strength.mpa(), ["f_ck,grout", "f_cd,grout"]);
+            worked.becomes("f_jd,red", whole.min(grout))
         }
     }
 }
