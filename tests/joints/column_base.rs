@@ -7,6 +7,7 @@ use bracket::checks::{Binding, Check, CheckId, Status, Topic, joint_checks};
 use bracket::model::AnalysisKind;
 use bracket::model::file::{Axis, Law};
 use bracket_base::math::vec3::{add, area_vector, mul, norm, scale};
+use std::f64::consts::PI;
 
 /// A base of a HEB 200 with two rows of anchors outside the flanges.
 fn base(plate: &str, parameters: &str, load: &str) -> Joint {
@@ -113,7 +114,7 @@ fn bounds_of_a_base_under_axial_force() {
     let pressed = base("thickness: 60", concrete, "N: -1 kN");
     let (file, mesh) = model(&pressed, 2.5, false, AnalysisKind::Limit);
     let [low, up] = sharp_bounds("pressed", &file, &mesh).map(|x| x * 1e3);
-    let holes = 4.0 * std::f64::consts::PI * 10.0 * 10.0;
+    let holes = 4.0 * PI * 10.0 * 10.0;
     let exact = 2.0 / 3.0 * 12.0 / 1.5 * (360.0 * 260.0 - holes - 10.0 * 10.0);
     assert!(
         (low / exact - 1.0).abs() < 1e-5 && (up / exact - 1.0).abs() < 1e-5,
@@ -165,6 +166,10 @@ fn ribs_are_in_the_geometry_and_open_by_code() {
     let ribbed = base("thickness: 20", "ribs: true, rib_weld: 6, rib_length: 60", load);
     let Some(Facts::ColumnBase(e)) = &ribbed.facts else { panic!("{:?}", ribbed.facts) };
     assert!(!e.not_checked.is_empty(), "the rib is seen");
+    // along the web and its four root fillets: HEB200 has d = 134 and r = 18
+    let seams = base("thickness: 20", "web_weld: 5", load).content.seams;
+    let web: Vec<f64> = seams.iter().filter(|s| s.throat == 5.0).map(|s| s.length).collect();
+    assert!(web.len() == 1 && (web[0] - 2.0 * (134.0 + PI * 18.0)).abs() < 1e-6, "{seams:?}");
     let open = joint_checks(&ribbed).checks.into_iter().any(|c| c.status == Status::Undecided);
     assert!(open);
     let (file, mesh) = model(&ribbed, 3.0, true, AnalysisKind::Limit);
@@ -207,6 +212,17 @@ fn hollow_columns_are_checked_where_the_code_has_rules() {
         let Some(Facts::ColumnBase(e)) = &pressed.facts else { panic!("{:?}", pressed.facts) };
         assert_eq!(e.not_checked, [], "{profile}");
         assert!(pressed.content.members.iter().all(|m| m.known), "{profile}");
+        // the weld runs round the outside once; corners of EN 10210-2 have 1.5 to 2 t outside
+        let corner = |r: f64| 4.0 * 200.0 - (8.0 - 2.0 * PI) * r;
+        let round = match profile {
+            "CHS219.1x8" => [PI * 219.1 * (1.0 - 1e-6), PI * 219.1 * (1.0 + 1e-6)],
+            _ => [corner(16.0) - 1e-6, corner(12.0) + 1e-6],
+        };
+        let lengths: Vec<f64> = pressed.content.seams.iter().map(|s| s.length).collect();
+        assert!(
+            lengths.len() == 1 && lengths[0] > round[0] && lengths[0] < round[1],
+            "{lengths:?}"
+        );
         let checks = joint_checks(&pressed).checks;
         assert!(checks.iter().all(|c| c.status != Status::Undecided), "{profile}: {checks:#?}");
         let code = find(&checks, CheckId::BaseCompression)[0].resistance.expect("N_Rd");
@@ -227,7 +243,7 @@ fn hollow_columns_are_checked_where_the_code_has_rules() {
     let (file, mesh) =
         model(&hollow("CHS219.1x8", "N: -1 kN, My: 100 kN mm"), 4.0, false, AnalysisKind::Limit);
     assert!(file.interfaces.iter().any(|i| i.face.as_deref() == Some("WELD")), "{file:#?}");
-    let tube = std::f64::consts::PI * (219.1 - 8.0) * 8.0;
+    let tube = PI * (219.1 - 8.0) * 8.0;
     let end = mesh.faces_named("COLUMN").expect("the loaded section");
     let corners = |t: &[u32; 3]| t.map(|n| mesh.nodes[n as usize]);
     let meshed: f64 = end.triangles.iter().map(|t| norm(area_vector(&corners(t)))).sum();

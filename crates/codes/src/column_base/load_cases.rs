@@ -71,7 +71,8 @@ fn of_case(e: &IBase<'_>, a: &PlaneActions) -> Vec<Check> {
 }
 
 /// The forces of both sides against their resistances, and M_j,Rd at constant eccentricity.
-/// `welded`: the utilisation of fillet welds of the flanges, which M_j,Rd must not exceed (6.2.3(4)).
+/// `welded`: the utilisation of fillet welds of the flanges, which must not limit M_j,Rd
+/// (6.2.3(4)): where they do, it is what they carry.
 fn of_sides(e: &IBase<'_>, a: &PlaneActions, forces: &Forces, welded: Option<f64>) -> Vec<Check> {
     let [[_, _, v], [_, m, _]] = a.at(1.0);
     let mut out = Vec::new();

@@ -65,7 +65,8 @@ pub(super) fn sizes(e: &IBase<'_>) -> Vec<Check> {
     out
 }
 
-/// The welds of flanges and web by the directional method: a flange takes M/(h − t_f) and its share of N, the web its
+/// The welds of flanges and web by the directional method: a flange takes M/(h − t_f) and its
+/// share of N, the web its
 /// elastic stresses and all of Vz; the flanges share Vy.
 ///
 /// # Source

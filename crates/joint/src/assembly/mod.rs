@@ -48,6 +48,7 @@ pub mod symmetry;
 pub mod template;
 pub mod template_file;
 pub mod turn;
+pub mod weld_rule;
 
 pub use actions::PlaneActions;
 pub use assembly::Assembly;

@@ -143,7 +143,7 @@ mod tests {
         let svg = drawing(&MomentAxial { curves, small: Some(6e4), demands }).file;
         assert_eq!((svg.matches("<polygon").count(), svg.matches("<circle").count()), (2, 52));
         assert!(svg.contains("LC49") && svg.contains("LC38") && !svg.contains("LC37"), "{svg}");
-        for part in ["β = 0.5", "β = 1.5", "48 load cases that", "2 load cases beyond", "the 12 "]
+        for part in ["β = 0.5", "β = 1.5", "48 load cases inside", "2 load cases beyond", "the 12 "]
         {
             assert!(svg.contains(part), "{part}: {svg}");
         }

@@ -14,8 +14,9 @@ use bracket_engine::estimate::section_forces::SectionPlane;
 use bracket_engine::estimate::weld_forces::{WeldBand, line_forces};
 use bracket_engine::model::AnalysisModel;
 use bracket_joint::assembly::Joint;
-use bracket_joint::assembly::assembly::{Section, Surface, SymmetryPlane, WeldRule};
+use bracket_joint::assembly::assembly::{Section, Surface, SymmetryPlane};
 use bracket_joint::assembly::sheets::{Sheet, sheets};
+use bracket_joint::assembly::weld_rule::WeldRule;
 
 /// What is measured in the fields of a joint.
 #[derive(Clone, Debug)]
@@ -165,7 +166,7 @@ impl EvidencePlan {
         let Some(stress) = stress else { return Vec::new() };
         let bands = self.welds.iter().filter_map(|rule| {
             let meshed = model.welds.iter().find(|w| w.name == rule.name)?;
-            Some((rule, weld_bands(rule, &meshed.faces, model, &self.symmetry)))
+            Some((rule, weld_bands(rule, &meshed.faces, &model.mesh.nodes, &self.symmetry)))
         });
         let of = |(rule, bands): (&WeldRule, Vec<WeldBand>)| WeldForces {
             weld: rule.name.clone(),
