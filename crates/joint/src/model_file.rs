@@ -5,8 +5,9 @@ mod bolt_entries;
 mod materials;
 
 use crate::assembly::Assembly;
-use crate::assembly::assembly::{Action, BoltPreload, FaceLoad, Part, PartRole, SymmetryPlane};
-use crate::assembly::weld_rule::WeldRule;
+use crate::assembly::assembly::{
+    Action, BoltPreload, FaceLoad, Part, PartRole, SymmetryPlane, WeldRule,
+};
 use crate::meshing::naming::symmetry_face;
 use crate::strength::DesignStrengths;
 use bracket_engine::mesh::TetMesh;

@@ -5,9 +5,9 @@
 //! CAD script; `mesh` and `model` also read it.
 
 use super::foundation::Foundation;
-use super::weld_rule::WeldRule;
+pub use super::symmetry_plane::SymmetryPlane;
 use crate::catalog::{BoltGrade, BoltSize};
-use crate::strength::{Nominal, NominalStrength};
+use crate::strength::{Nominal, NominalStrength, WeldSteel};
 use bracket_engine::model::FrictionLaw;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -155,6 +155,33 @@ pub struct InterfaceRule {
     pub friction: FrictionLaw,
     /// Initial gap \[mm\], positive when open.
     pub gap: f64,
+}
+
+/// Fillet welds along both sides of a plate on another part, modelled as an interface of finite
+/// strength.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct WeldRule {
+    /// Name, also that of the physical surface.
+    pub name: String,
+    /// The two parts; the normal points out of the first.
+    pub between: [String; 2],
+    /// The surface where the parts meet.
+    pub surface: Surface,
+    /// True if no edges of the parts bound the surface, so that it must be imprinted.
+    pub imprint: bool,
+    /// Throat of each weld \[mm\].
+    pub throat: f64,
+    /// Area of the interface divided by half the length of its welds \[mm\]. For a plate with a
+    /// weld on each side this is the thickness of the plate.
+    pub thickness: f64,
+    /// Length of all of them \[mm\]; none: twice the area of the surface over `thickness`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub length: Option<f64>,
+    /// True: one weld round the outside of a hollow section.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub closed: bool,
+    /// The weaker steel of the two parts.
+    pub steel: WeldSteel,
 }
 
 /// A piece of a surface, defined by coordinates.
@@ -371,14 +398,6 @@ pub struct FaceLoad {
     pub action: Action,
     /// True if the load factor does not multiply the load.
     pub dead: bool,
-}
-
-/// A symmetry plane `x[axis] = 0` of geometry, supports and loads. The side with positive
-/// coordinates is kept.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct SymmetryPlane {
-    /// Normal axis, 0 = x, 1 = y, 2 = z.
-    pub axis: usize,
 }
 
 /// A joint ready for geometry and meshing. Axes: x along the beams, y across, z up along the column

@@ -1,14 +1,13 @@
 //! Compares what the hand checks know of a joint with its geometry: a verdict by code must cover
 //! all of it, and must not count what is not there.
 
-use super::assembly::{Assembly, Solid};
+use super::assembly::{Assembly, Solid, WeldRule};
 use super::content::{
     Content, Extent, Fastener, Length, NotChecked, Piece, PieceKind, SAME_PLACE, Seam, touching,
 };
 use super::end_plate::EndPlate;
 use super::member_ends::Frame;
 use super::template::EndPlateEntry;
-use super::weld_rule::WeldRule;
 use bracket_base::say;
 use bracket_base::words::Text;
 

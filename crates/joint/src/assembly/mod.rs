@@ -45,10 +45,10 @@ mod small_actions;
 mod spec_checks;
 mod splice_entry;
 pub mod symmetry;
+pub mod symmetry_plane;
 pub mod template;
 pub mod template_file;
 pub mod turn;
-pub mod weld_rule;
 
 pub use actions::PlaneActions;
 pub use assembly::Assembly;

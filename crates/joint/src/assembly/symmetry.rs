@@ -6,8 +6,8 @@
 
 use super::assembly::{
     Action, Assembly, BoltPreload, FaceLoad, OutlineEdge, Part, Solid, Surface, SymmetryPlane,
+    WeldRule,
 };
-use super::weld_rule::WeldRule;
 use bracket_base::math::vec3::{V3, norm};
 use bracket_engine::model::FrictionLaw;
 use std::collections::BTreeMap;

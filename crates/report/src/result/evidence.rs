@@ -14,9 +14,8 @@ use bracket_engine::estimate::section_forces::SectionPlane;
 use bracket_engine::estimate::weld_forces::{WeldBand, line_forces};
 use bracket_engine::model::AnalysisModel;
 use bracket_joint::assembly::Joint;
-use bracket_joint::assembly::assembly::{Section, Surface, SymmetryPlane};
+use bracket_joint::assembly::assembly::{Section, Surface, SymmetryPlane, WeldRule};
 use bracket_joint::assembly::sheets::{Sheet, sheets};
-use bracket_joint::assembly::weld_rule::WeldRule;
 
 /// What is measured in the fields of a joint.
 #[derive(Clone, Debug)]

@@ -3,9 +3,8 @@
 use bracket_base::math::vec3::{V3, scale};
 use bracket_engine::estimate::weld_forces::WeldBand;
 use bracket_engine::model::analysis::FacePair;
-use bracket_joint::assembly::assembly::{Surface, SymmetryPlane};
+use bracket_joint::assembly::assembly::{Surface, SymmetryPlane, WeldRule};
 use bracket_joint::assembly::axes;
-use bracket_joint::assembly::weld_rule::WeldRule;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 

@@ -1,12 +1,11 @@
 //! Contacts and welds of the joint other than those of its bolts.
 
 use super::context::Context;
-use crate::assembly::assembly::InterfaceRule;
+use crate::assembly::assembly::{InterfaceRule, WeldRule};
 use crate::assembly::error::AssemblyError;
 use crate::assembly::evaluate::{entry_fault, identifier, rectangle, within};
 use crate::assembly::scope::path_of;
 use crate::assembly::template::WeldEntry;
-use crate::assembly::weld_rule::WeldRule;
 
 impl Context<'_> {
     /// The contacts listed in the template.
