@@ -305,3 +305,19 @@ fn refused_folders_and_files() {
     std::fs::remove_file(bench.path().join("r/drawing.svg")).expect("removed");
     expect(&bench, &["report", "r"], 0);
 }
+
+/// Beside a wide table of supports there is no room: the partial factors stand below it, on lines
+/// that the page holds.
+#[test]
+fn partial_factors_stand_below_wide_supports() {
+    let base = "template: column_base\nmembers: {column: {profile: HEB200, steel: S235}}\nplate: \
+                {thickness: 30}\nbolts: {size: M20, grade: \"8.8\", rows: [-140, 140]}\nloads: \
+                [{name: ULS1, end: column, at: bolt_plane, N: -400 kN, My: 30 kN m}]\n";
+    let bench = Bench::new().file("base.yaml", base.to_owned());
+    expect(&bench, &["check", "base.yaml", "--out", "r"], 3);
+    let lines = read("pdftotext", &bench, &["-layout", "r/report.pdf", "-"]);
+    let together = |words: &[&str]| lines.lines().any(|l| words.iter().all(|w| l.contains(w)));
+    assert!(together(&["Partial factors and strengths"]), "{lines}");
+    assert!(together(&["pressure up to", "MPa; elastic"]), "{lines}");
+    assert!(together(&["The strength of a bolt is its tension resistance"]), "{lines}");
+}
