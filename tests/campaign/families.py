@@ -44,10 +44,12 @@ def beside_code(case, upper):
     result = case.result("limit")
     if result is None:
         return "no result"
-    strengths = [
-        c for c in result["checks"]
-        if c["binding"] != "information" and c.get("utilisation") and c.get("case")
-    ]
+    bound = [c for c in result["checks"] if c["binding"] != "information" and c.get("case")]
+    undecided = [c["title"] for c in bound if c["status"] == "undecided"]
+    if undecided:
+        case.count("undecided by code")
+        return f"undecided by code ({undecided[0]})"
+    strengths = [c for c in bound if c.get("utilisation")]
     if not strengths:
         return "no strength by code"
     worst = max(strengths, key=lambda c: c["utilisation"])
