@@ -212,7 +212,10 @@ pub(super) fn legend(joint: &Content) -> Vec<Text> {
         let size = match &i.size {
             PartSize::Plate(sizes) => Text::given(sizes.map(n).join(" × ")),
             PartSize::Anchor { size, below, .. } => {
-                say!("{}, elastic over {} below the plate, then anchored", size, n(*below))
+                let below = n(*below);
+                let long = say!("elastic over {} below the plate, then anchored", below);
+                out.push(say!("{} × {} {} {}, {}", i.count, &i.part, size, &i.steel, long));
+                continue;
             }
             PartSize::Bolt { size, length, grip } => {
                 let long = length.map_or_else(String::new, |l| format!(" × {}", n(l)));
