@@ -183,7 +183,8 @@ def one(case, name, spec, factor, *options):
         return {}, outcome
     limit = spec["analysis"]["time_limit"]
     # forty seconds for the mesh, the certificates and a step that is under way
-    if outcome.seconds > (float(limit.split()[0]) + 40) * case.program.patience:
+    allowed = max(LONGEST, float(limit.split()[0])) + 40
+    if outcome.seconds > allowed * case.program.patience:
         case.fault("time limit", f"{name}: {outcome.seconds:.0f} s with a limit of {limit}")
     fits(case, outcome, result, name)
     within_forecast(case, name, result)
