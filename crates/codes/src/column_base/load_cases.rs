@@ -40,8 +40,8 @@ fn of_case(e: &IBase<'_>, a: &PlaneActions) -> Vec<Check> {
     } else if n != 0.0 || m != 0.0 {
         match forces(e, n, m) {
             Ok(found) => {
-                let flanges = welds.iter().filter(|(part, _)| *part == Part::ColumnFlange);
-                let welded = flanges.filter_map(|(_, c)| c.utilisation).next();
+                let flange = welds.iter().find(|(part, _)| *part == Part::ColumnFlange);
+                let welded = flange.and_then(|(_, check)| check.utilisation);
                 out.extend(of_sides(e, a, &found, welded));
                 out.extend(stiffness::checks(e, a, &found));
                 let pulls = found.iter().filter_map(|(_, force)| match force {

@@ -66,8 +66,7 @@ pub(super) fn sizes(e: &IBase<'_>) -> Vec<Check> {
 }
 
 /// The welds of flanges and web by the directional method: a flange takes M/(h − t_f) and its
-/// share of N, the web its
-/// elastic stresses and all of Vz; the flanges share Vy.
+/// share of N, the web its elastic stresses and all of Vz; the flanges share Vy.
 ///
 /// # Source
 /// EN 1993-1-8:2005 4.5.3.2(6), 2.5(1). Compression counts like tension: contact of the column with

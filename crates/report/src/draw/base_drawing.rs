@@ -133,6 +133,7 @@ struct Base<'a> {
     section: [f64; 2],
     /// Length of the anchors below the plate.
     anchor: f64,
+    /// Ribs on either side.
     ribs: Vec<Rib>,
     /// The plate along x and along y.
     plate: [[f64; 2]; 2],
@@ -377,7 +378,7 @@ mod tests {
             let ribs = polygons.filter(|line| corners(line) == 5).count();
             assert_eq!(ribs, if parameters.contains("ribs") { 2 } else { 0 }, "{profile}: {text}");
             let wanted: &[&str] = match profile {
-                // 400 = 40 + 280 + 80; 80 + 200 + 120 about the column; 160 below, of it 30 grout
+                // 400 = 40 + 280 + 80; 80 + 200 + 120 about the column; 30 of grout
                 "HEB200" => &[
                     ">40<",
                     ">280<",

@@ -1,10 +1,10 @@
 //! The flat bands in which the forces along a weld are measured.
 
-use bracket_base::math::vec3::{V3, scale};
+use bracket_base::math::vec3::{self, V3, scale};
 use bracket_engine::estimate::weld_forces::WeldBand;
 use bracket_engine::model::analysis::FacePair;
 use bracket_joint::assembly::assembly::{Surface, SymmetryPlane, WeldRule};
-use bracket_joint::assembly::axes;
+use bracket_joint::assembly::axes::{self, unit};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
@@ -64,10 +64,9 @@ pub(super) fn weld_bands(
     let band = |(side, faces): (usize, Vec<FacePair>)| match round {
         true => {
             let angle = TAU * side as f64 / SECTORS;
-            let tangent = [scale(-angle.sin(), unit(first)), scale(angle.cos(), unit(second))];
             WeldBand {
                 faces,
-                along: std::array::from_fn(|k| tangent[0][k] + tangent[1][k]),
+                along: vec3::along(scale(-angle.sin(), unit(first)), angle.cos(), unit(second)),
                 // one piece
                 length: size(first) + size(second),
                 mirrored_along: false,
@@ -77,11 +76,6 @@ pub(super) fn weld_bands(
         false => straight(faces, if side < 2 { second } else { first }, false),
     };
     sides.into_iter().map(band).collect()
-}
-
-/// The unit vector of an axis.
-fn unit(axis: usize) -> V3 {
-    std::array::from_fn(|k| f64::from(u8::from(k == axis)))
 }
 
 #[cfg(test)]
